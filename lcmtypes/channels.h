@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace eod {
+
+/// One row of the LCM contract. A channel's name on the wire is the station's prefix followed by `name`.
+struct Channel {
+  std::string_view name;
+  std::string_view type;
+  std::string_view publisher;
+  std::string_view subscribers;
+  std::string_view rate;
+};
+
+/// The one table of channels.
+inline constexpr Channel kBoxCommandChannel{"EOD_BOX_COMMAND", "box_command_t", "canbridge",
+                                            "sim, recorder", "on change, and every 20 ms"};
+inline constexpr Channel kRobotStateChannel{"EOD_ROBOT_STATE", "robot_state_t", "sim",
+                                            "canbridge, recorder", "every step"};
+inline constexpr Channel kAlarmChannel{"EOD_ALARM", "alarm_t", "sim, canbridge",
+                                       "canbridge, recorder", "on change, and every 100 ms"};
+inline constexpr Channel kIsectorHitsChannel{"EOD_ISECTOR_HITS", "isector_hits_t", "sim", "recorder",
+                                             "every step with --publish-isectors"};
+inline constexpr Channel kLinkStatusChannel{"EOD_LINK_STATUS", "link_status_t", "canbridge",
+                                            "recorder", "on change, and every 100 ms"};
+inline constexpr Channel kMissionStatusChannel{"EOD_MISSION_STATUS", "mission_status_t", "sim",
+                                               "canbridge, recorder", "on change, and every 200 ms"};
+inline constexpr Channel kDriveCameraChannel{"EOD_CAMERA_DRIVE", "image_t", "sim", "recorder",
+                                             "25 to 30 Hz"};
+inline constexpr Channel kMastCameraChannel{"EOD_CAMERA_MAST", "image_t", "sim", "recorder",
+                                            "25 to 30 Hz"};
+inline constexpr Channel kPanelCommandChannel{"EOD_PANEL_COMMAND", "panel_command_t",
+                                              "any panel or test", "firmware_emu", "on change"};
+inline constexpr Channel kPanelStatusChannel{"EOD_PANEL_STATUS", "panel_status_t", "firmware_emu",
+                                             "recorder", "on change, and every 100 ms"};
+
+inline constexpr std::array kChannels{kBoxCommandChannel,     kRobotStateChannel,
+                                      kAlarmChannel,          kIsectorHitsChannel,
+                                      kLinkStatusChannel,     kMissionStatusChannel,
+                                      kDriveCameraChannel,    kMastCameraChannel,
+                                      kPanelCommandChannel,   kPanelStatusChannel};
+
+/// Name of `channel` on the wire for the station `prefix` (empty for a single station).
+inline std::string ChannelName(std::string_view prefix, const Channel& channel) {
+  return std::string(prefix) + std::string(channel.name);
+}
+
+}  // namespace eod

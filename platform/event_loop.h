@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "platform/clock.h"
+#include "platform/time.h"
+
+namespace eod {
+
+/// One poll over descriptors, periodic timers and the end signals (SIGINT, SIGTERM, SIGHUP).
+/// Single-threaded; callbacks run in the order: descriptors as added, then timers as added.
+class EventLoop {
+ public:
+  explicit EventLoop(const Clock& clock);
+  ~EventLoop();
+  EventLoop(const EventLoop&) = delete;
+  EventLoop& operator=(const EventLoop&) = delete;
+
+  /// Calls `on_readable` whenever `descriptor` has something to read. The caller keeps it open.
+  void AddDescriptor(int descriptor, std::function<void()> on_readable);
+
+  /// Calls `on_tick(scheduled)` every `period`, first one period from the start of `Run`. `scheduled`
+  /// is the moment the tick was due, an exact multiple. Missed ticks are not caught up in a burst:
+  /// they are counted in `missed_ticks` and the schedule goes on at the next multiple.
+  void AddTimer(Duration period, std::function<void(TimePoint scheduled)> on_tick);
+
+  /// Runs until `Stop` or an end signal.
+  void Run();
+
+  /// May be called from a callback.
+  void Stop() { stopping_ = true; }
+
+  uint64_t missed_ticks() const { return missed_ticks_; }
+
+ private:
+  struct Source {
+    int descriptor;
+    std::function<void()> on_readable;
+  };
+  struct Timer {
+    Duration period;
+    std::function<void(TimePoint)> on_tick;
+    TimePoint due;
+  };
+  void WaitForEvents();
+  void RunDueTimers();
+
+  const Clock& clock_;
+  std::vector<Source> sources_;
+  std::vector<Timer> timers_;
+  int signal_descriptor_ = -1;
+  int timer_descriptor_ = -1;
+  uint64_t missed_ticks_ = 0;
+  bool stopping_ = false;
+};
+
+}  // namespace eod

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <lcm/lcm-cpp.hpp>
+
+namespace eod {
+
+/// Where a program meets the others: `--lcm-url`, `--channel-prefix`.
+struct LcmStation {
+  /// Empty: LCM_DEFAULT_URL, or else udpm://239.255.76.67:7667?ttl=0 with a receive buffer of 4 MB.
+  std::string url;
+  /// Put before every channel name; tells several stations on one network apart. [A-Za-z0-9_]*
+  std::string channel_prefix;
+};
+
+/// Opens LCM. Throws std::runtime_error with one line that names the URL and the remedy: a malformed
+/// URL, or no multicast route ("ip route add 224.0.0.0/4 dev lo").
+std::unique_ptr<lcm::LCM> OpenLcm(const LcmStation& station);
+
+}  // namespace eod

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "sim/robot/motion_id.h"
+#include "sim/robot/robot_state.h"
+#include "sim/geometry/visual.h"
+
+namespace eod::sim {
+
+/// One of the nine joints. Revolute joints in [rad], J7 in [m] of opening per hand.
+struct JointSpec {
+  std::string name;
+  double lower = 0;
+  double upper = 0;
+  double rate = 0;  ///< at 100 % [rad/s] or [m/s]
+  double home = 0;
+  int positive_motion = 0;  ///< MotionId that makes the coordinate grow
+  int negative_motion = 0;
+};
+
+/// A rigid part. Links stand in an order in which parents come first; link 0 is the chassis.
+struct LinkSpec {
+  enum class Kind : uint8_t { kFixed, kRevolute, kPrismatic };
+  std::string name;
+  int parent = -1;
+  Eigen::Isometry3d X_PL = Eigen::Isometry3d::Identity();  ///< in the parent, at coordinate 0
+  Kind kind = Kind::kFixed;
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< in the link's frame
+  int joint = -1;                                   ///< JointId that moves it; -1 for fixed links
+  /// Coordinate of the link = scale * coordinate of the joint: +-1 for the hands, -2/3 for the
+  /// crossbeam (Eq. 6). The hands use their own opening, not the joint's (each stops on its own).
+  double scale = 1;
+  enum class Hand : uint8_t { kNone, kLeft, kRight } hand = Hand::kNone;
+};
+
+enum class IsectorMethod : uint8_t { kVolume, kHat, kZ, kZpr, kXyzpr, kLos, kTripod, kBump };
+
+/// One line of an isector, in the isector's own frame.
+struct SegmentSpec {
+  std::string name;  ///< "+Y", "l1", ...
+  Eigen::Vector3d start = Eigen::Vector3d::Zero();
+  Eigen::Vector3d direction = Eigen::Vector3d::UnitY();  ///< unit
+  double length = 0;                                     ///< [m]
+  double d0 = 0;           ///< [m] D0 of Eq. 2, carrier's own size included
+  double skin = 0.02;      ///< [m] part of d0 beyond the carrier: V0 = skin / dt
+  MotionSet motions = kAllMotions;  ///< live only while one of these is commanded
+};
+
+/// An isector on a link.
+struct IsectorSpec {
+  std::string name;  ///< "B1" .. "B7", "TRIPOD", "LOS_FRONT", ...
+  IsectorMethod method = IsectorMethod::kBump;
+  int link = 0;
+  Eigen::Isometry3d X_LI = Eigen::Isometry3d::Identity();
+  uint32_t class_mask = 0;         ///< proxy and object classes it looks for, module bit apart
+  MotionSet motions = kAllMotions; ///< dynamic loading: active while one of these is commanded
+  Part part = Part::kChassis;      ///< part that an alarm names
+  std::vector<SegmentSpec> segments;
+};
+
+/// A camera on a link: looks along +Y of its frame, Z up.
+struct CameraSpec {
+  std::string name;  ///< "drive", "gripper", "mast", "rear"
+  int link = 0;
+  Eigen::Isometry3d X_LC = Eigen::Isometry3d::Identity();
+  double horizontal_fov = 1.3;  ///< [rad]
+  int width = 640;
+  int height = 480;
+};
+
+/// A visual shape on a link.
+struct LinkVisual {
+  int link = 0;
+  Visual visual;
+};
+
+/// The robot as its SDFormat file describes it. Plain data.
+struct RobotModel {
+  std::filesystem::path file;
+  std::string name;
+  std::vector<LinkSpec> links;
+  std::array<JointSpec, kJointCount> joints;
+  std::vector<IsectorSpec> isectors;
+  std::vector<CameraSpec> cameras;
+  std::vector<LinkVisual> visuals;
+  std::array<double, 3> drive_speed{};  ///< [m/s] creep, low, high
+  double turn_rate = 0;                 ///< [rad/s] at 100 %, any range
+  double step_up_limit = 0.45;          ///< [m] ground is looked for from this far above the wheels ...
+  double fall_search = 3.0;             ///< [m] ... to this far below
+};
+
+/// Reads and checks a robot. Throws std::runtime_error with one line "FILE:LINE: …": not nine joints
+/// with 22 motions, a link, joint or camera that is missing, a bad number, an unknown eod: element.
+RobotModel LoadRobot(const std::filesystem::path& file);
+
+/// State at the home pose, standing at the origin.
+RobotState HomeState(const RobotModel& model);
+
+/// Pose of every link in the frame that `state` is given in; same order as model.links.
+/// `poses` keeps its memory between calls.
+void LinkPoses(const RobotModel& model, const RobotState& state,
+               std::vector<Eigen::Isometry3d>& poses);
+
+}  // namespace eod::sim

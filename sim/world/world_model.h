@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "sim/geometry/pose.h"
+#include "sim/geometry/visual.h"
+#include "sim/world/world.h"
+
+namespace eod::sim {
+
+/// A triangle that segments can meet, in the module's local frame.
+struct CollisionTriangle {
+  std::array<Eigen::Vector3d, 3> corner;  ///< counter-clockwise seen from outside
+  uint32_t class_mask = 0;                ///< module bit plus proxy and object bits
+  int object = 0;                         ///< index in WorldModel::objects
+};
+
+/// A model of the SDFormat file.
+struct WorldObject {
+  std::string name;
+  Eigen::Isometry3d X_MO = Eigen::Isometry3d::Identity();  ///< in the module's local frame
+  bool is_static = true;
+  std::vector<Visual> visuals;
+};
+
+/// One training area with a local origin of its own, so that millimetres survive 1.5 km away from
+/// the world's origin.
+struct ModuleModel {
+  int id = 0;  ///< 1 flat .. 5 indoor, as ROB_STATUS.ModuleId
+  std::string name;
+  uint32_t class_bit = 0;
+  Eigen::Vector3d origin_W = Eigen::Vector3d::Zero();  ///< local origin in W [m]
+  Eigen::Vector2d half_size = Eigen::Vector2d::Zero(); ///< [m] of the area, centred on its middle
+  Attitude start_attitude;                             ///< at the local origin
+  std::vector<WorldObject> objects;
+  std::vector<CollisionTriangle> triangles;
+};
+
+/// Light and air for the cameras.
+struct Atmosphere {
+  Eigen::Vector3f sun_direction = Eigen::Vector3f(0.4F, -0.5F, 0.77F);  ///< towards the sun, unit
+  Eigen::Vector3f sun_colour = Eigen::Vector3f(1.0F, 0.96F, 0.88F);
+  Eigen::Vector3f sky_colour = Eigen::Vector3f(0.45F, 0.62F, 0.85F);
+  Eigen::Vector3f fog_colour = Eigen::Vector3f(0.74F, 0.79F, 0.84F);
+  float fog_density = 0.006F;  ///< [1/m]
+};
+
+/// The whole world as its SDFormat file describes it. Plain data.
+struct WorldModel {
+  std::filesystem::path file;
+  std::vector<ModuleModel> modules;
+  Atmosphere atmosphere;
+
+  /// Throws std::runtime_error that names the file and the modules there are.
+  const ModuleModel& Module(int id) const;
+};
+
+/// Reads and checks a world. Throws std::runtime_error with one line "FILE:LINE: …".
+WorldModel LoadWorld(const std::filesystem::path& file);
+
+/// Builds what segments can meet in `module`. The model may be dropped afterwards.
+std::unique_ptr<World> BuildWorld(const ModuleModel& module);
+
+}  // namespace eod::sim
