@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "platform/time.h"
+#include "sim/robot/robot_model.h"
+#include "sim/world/world_model.h"
+
+namespace eod::sim {
+
+/// An isector line to draw into the picture, in the module's local frame.
+struct DrawnSegment {
+  Eigen::Vector3d start = Eigen::Vector3d::Zero();
+  Eigen::Vector3d end = Eigen::Vector3d::Zero();
+  bool hit = false;
+  bool contact = false;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< of the hit
+};
+
+/// What the cameras show: copied out of a step, so that a slow picture never delays one.
+struct SceneSnapshot {
+  TimePoint time{};
+  int module = 1;
+  RobotState state;
+  std::vector<DrawnSegment> segments;  ///< empty unless isectors are drawn
+};
+
+struct CameraConfig {
+  std::vector<std::string> cameras = {"drive", "mast"};  ///< names in the robot file
+  int width = 640;
+  int height = 480;
+  double rate_hz = 30;  ///< pictures a second of each camera, 1..60
+  int jpeg_quality = 80;
+  bool draw_isectors = false;
+};
+
+/// One compressed picture. At most 65,000 bytes, so that it fits one LCM datagram: quality is lowered
+/// for a picture that does not.
+struct Picture {
+  std::string_view camera;
+  TimePoint time{};  ///< of the step that is shown
+  int width = 0;
+  int height = 0;
+  std::span<const uint8_t> jpeg;
+};
+
+/// Renders snapshots on a thread of its own with OSMesa and hands out JPEG pictures.
+class CameraThread {
+ public:
+  /// Called on the camera's thread. Must not throw.
+  using PictureSink = std::function<void(const Picture&)>;
+
+  /// Throws std::runtime_error with one line if OSMesa gives no OpenGL 3.3 context or a camera is not
+  /// in the robot file. `robot` and `world` must outlive the thread.
+  CameraThread(const RobotModel& robot, const WorldModel& world, CameraConfig config,
+               PictureSink sink);
+  /// Ends the thread and waits for it.
+  ~CameraThread();
+
+  /// Hands over the newest snapshot; the one before, if not rendered yet, is forgotten. Never blocks
+  /// for longer than a copy.
+  void Show(const SceneSnapshot& snapshot);
+
+  uint64_t pictures() const;
+
+ private:
+  class Worker;
+  std::unique_ptr<Worker> worker_;
+};
+
+}  // namespace eod::sim
