@@ -1,0 +1,91 @@
+# shellcheck shell=bash
+# What scripts/demo and scripts/test share: packages, configuration, build. To be sourced.
+# Callers set -euo pipefail and stand in the repository's root.
+
+readonly PACKAGE_LIST=scripts/packages.txt
+
+say() { printf '%s\n' "$*"; }
+fail() {
+  printf '%s: %s\n' "${0##*/}" "$*" >&2
+  exit 1
+}
+# Wrong arguments: the reason, how it is called, and status 2.
+fail_usage() {
+  printf '%s: %s\n\n' "${0##*/}" "$1" >&2
+  usage >&2
+  exit 2
+}
+
+# packages_in SECTION...: the packages of these sections, one a line.
+packages_in() {
+  awk -v wanted=" $* " '
+    /^\[/ { inside = index(wanted, " " substr($1, 2, length($1) - 2) " "); next }
+    inside && NF && !/^#/ { print $1 }' "$PACKAGE_LIST"
+}
+
+# missing_packages SECTION...: those that dpkg does not have as installed.
+missing_packages() {
+  local installed
+  # shellcheck disable=SC2046,SC2016
+  installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' $(packages_in "$@") 2>/dev/null |
+    awk '$2 == "installed" { print $1 }')
+  grep -vxF -f <(printf '%s\n' "$installed") <(packages_in "$@") || true
+}
+
+# install_packages MAY_INSTALL SECTION...: installs what is missing, and says what.
+install_packages() {
+  local may_install=$1 missing as_root=()
+  shift
+  if ! command -v dpkg-query >/dev/null; then
+    say "set-up: no dpkg here; the libraries of $PACKAGE_LIST must be installed already"
+    return
+  fi
+  mapfile -t missing < <(missing_packages "$@")
+  ((${#missing[@]} > 0)) || return 0
+
+  say "set-up: missing packages: ${missing[*]}"
+  ((EUID == 0)) || as_root=(sudo)
+  local install=("${as_root[@]}" apt-get install -y --no-install-recommends "${missing[@]}")
+  [[ $may_install == yes ]] || fail "run this first: ${install[*]}"
+  ((EUID == 0)) || command -v sudo >/dev/null || fail "as root, run first: ${install[*]:1}"
+
+  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q
+    -o DPkg::Lock::Timeout=300 -o Acquire::Retries=3)
+  "${apt[@]}" update </dev/null || fail "apt-get update failed"
+  "${apt[@]}" install -y --no-install-recommends "${missing[@]}" </dev/null ||
+    fail "could not install: ${missing[*]}"
+}
+
+# configure PRESET: once; afterwards the build itself sees changed CMake files.
+configure() {
+  local preset=$1 build=build/$1
+  local cache=$build/CMakeCache.txt
+  if [[ -f $build/build.ninja ]] && grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" "$cache"; then
+    return
+  fi
+  say "set-up: configuring build/$preset"
+  mkdir -p "$build"
+  # --fresh: the folder may hold the rest of a failed start, or have been copied with its tree.
+  cmake --fresh --preset "$preset" >"$build/configure.log" 2>&1 </dev/null || {
+    cat "$build/configure.log" >&2
+    fail "cmake --preset $preset failed, see above"
+  }
+}
+
+# build_jobs: one a processor, but no more than memory can bear (1 GB a compiler).
+build_jobs() {
+  local processors gigabytes
+  processors=$(nproc)
+  gigabytes=$(awk '/^MemTotal:/ { print int($2 / 1e6) }' /proc/meminfo)
+  if ((gigabytes < 1)); then gigabytes=1; fi
+  say $((processors < gigabytes ? processors : gigabytes))
+}
+
+# build PRESET [TARGET...]: ninja shows one line that advances, or plain lines when piped.
+build() {
+  local preset=$1 targets=()
+  shift
+  (($# == 0)) || targets=(--target "$@")
+  NINJA_STATUS='[%f/%t, %es] ' cmake --build --preset "$preset" -j "$(build_jobs)" "${targets[@]}" \
+    </dev/null || fail "the build of preset $preset failed, see above"
+}
