@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include <lcm/lcm-cpp.hpp>
 
@@ -11,9 +12,12 @@ namespace eod {
 struct LcmStation {
   /// Empty: LCM_DEFAULT_URL, or else udpm://239.255.76.67:7667?ttl=0 with a receive buffer of 4 MB.
   std::string url;
-  /// Put before every channel name; tells several stations on one network apart. [A-Za-z0-9_]*
+  /// Put before every channel name; tells several stations on one network apart.
   std::string channel_prefix;
 };
+
+/// True for up to 32 of A-Z a-z 0-9 _: channel names stay legal and within LCM's 63 characters.
+bool IsChannelPrefix(std::string_view prefix);
 
 /// Opens LCM. Throws std::runtime_error with one line that names the URL and the remedy: a malformed
 /// URL, or no multicast route ("ip route add 224.0.0.0/4 dev lo").
