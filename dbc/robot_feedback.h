@@ -65,6 +65,9 @@ struct RobotFeedback {
   uint32_t circuit_continuity = 0;  ///< bit c-1: circuit c is continuous
   // ROB_HEARTBEAT
   NmtState nmt = NmtState::kPreOperational;
+  // ROB_EMCY
+  int error_code = 0;      ///< CANopen emergency error code, 0..0xFFFF; 0 = error reset
+  int error_register = 0;  ///< CANopen error register: bit 0 generic, 4 communication, 7 device
 
   bool operator==(const RobotFeedback&) const = default;
 };
