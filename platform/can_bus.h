@@ -15,7 +15,8 @@ enum class CanBusState { kUp, kDown, kBusOff };
 /// What became of a frame handed to `Send`.
 enum class SendOutcome {
   kSent,
-  kDropped,  ///< bus down, bus-off or no buffer: counted, never retried later (a stale command is worse)
+  kDropped,  ///< bus down, bus-off or no buffer: counted, never retried later (a stale command is
+             ///< worse)
 };
 
 /// Counters since the bus was opened.
@@ -48,7 +49,8 @@ class CanBus {
   /// Next waiting frame, or nothing. Never blocks. Error frames are counted, not returned.
   virtual std::optional<CanFrame> Receive() = 0;
 
-  /// Descriptor that polls readable when `Receive` may have a frame; -1 if there is none (in-process).
+  /// Descriptor that polls readable when `Receive` may have a frame; -1 if there is none
+  /// (in-process).
   virtual int PollDescriptor() const = 0;
 
   /// Brings the bus back after its interface went away. To be called at least every 100 ms.

@@ -15,7 +15,8 @@ namespace eod {
 /// `#R[len]` remote, `##<flags>DATA` CAN FD, error frames with 0x20000000 in the identifier.
 std::string FormatCandumpLine(const CanFrame& frame, std::string_view interface_name);
 
-/// Inverse of FormatCandumpLine; a trailing direction letter (`T`/`R`) is allowed. Empty if malformed.
+/// Inverse of FormatCandumpLine; a trailing direction letter (`T`/`R`) is allowed. Empty if
+/// malformed.
 std::optional<CanFrame> ParseCandumpLine(std::string_view line);
 
 /// All frames of a log. Throws std::runtime_error "FILE:LINE: …" on the first bad line.

@@ -19,8 +19,8 @@ struct LcmStation {
 /// True for up to 32 of A-Z a-z 0-9 _: channel names stay legal and within LCM's 63 characters.
 bool IsChannelPrefix(std::string_view prefix);
 
-/// Opens LCM. Throws std::runtime_error with one line that names the URL and the remedy: a malformed
-/// URL, or no multicast route ("ip route add 224.0.0.0/4 dev lo").
+/// Opens LCM. Throws std::runtime_error with one line that names the URL and the remedy: a
+/// malformed URL, or no multicast route ("ip route add 224.0.0.0/4 dev lo").
 std::unique_ptr<lcm::LCM> OpenLcm(const LcmStation& station);
 
 }  // namespace eod

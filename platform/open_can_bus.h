@@ -14,10 +14,10 @@ struct CanBusOptions {
 
 /// Opens the bus that `url` names: `socketcan:IFACE`, `udp:GROUP:PORT` or `inproc:NAME`.
 ///
-/// `clock` stamps frames where the transport does not; it must outlive the bus. An in-process bus is
-/// shared by name within the process.
-/// Throws std::runtime_error with one line that names the URL, what is wrong and what to do: unknown
-/// scheme, no AF_CAN in this kernel, no such interface, port in use, no multicast route.
+/// `clock` stamps frames where the transport does not; it must outlive the bus. An in-process bus
+/// is shared by name within the process. Throws std::runtime_error with one line that names the
+/// URL, what is wrong and what to do: unknown scheme, no AF_CAN in this kernel, no such interface,
+/// port in use, no multicast route.
 std::unique_ptr<CanBus> OpenCanBus(const std::string& url, const Clock& clock,
                                    const CanBusOptions& options = {});
 

@@ -8,8 +8,8 @@
 
 namespace eod {
 
-/// Passes everything through to `bus` and writes each frame, sent or received, to `log` in the order
-/// in which this node saw them.
+/// Passes everything through to `bus` and writes each frame, sent or received, to `log` in the
+/// order in which this node saw them.
 class RecordingCanBus final : public CanBus {
  public:
   RecordingCanBus(std::unique_ptr<CanBus> bus, CandumpWriter log, const Clock& clock);

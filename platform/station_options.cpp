@@ -14,9 +14,10 @@ std::string CheckChannelPrefix(const std::string& prefix) {
 }  // namespace
 
 void AddBusOptions(CLI::App& app, StationOptions& options) {
-  app.add_option("--bus", options.bus_url,
-                 "CAN bus: socketcan:IFACE (a real or virtual interface), udp:GROUP:PORT (python-can's "
-                 "udp_multicast) or inproc:NAME")
+  app.add_option(
+         "--bus", options.bus_url,
+         "CAN bus: socketcan:IFACE (a real or virtual interface), udp:GROUP:PORT (python-can's "
+         "udp_multicast) or inproc:NAME")
       ->type_name("URL")
       ->capture_default_str();
   app.add_option("--can-ttl", options.bus.multicast_ttl,
@@ -34,8 +35,7 @@ void AddStationOptions(CLI::App& app, StationOptions& options) {
                  "put before every channel name: tells several stations on one network apart")
       ->type_name("PREFIX")
       ->check(CLI::Validator(CheckChannelPrefix, "", "channel prefix"));
-  app.add_flag("--describe", options.describe,
-               "print configuration, rates and channels, then end");
+  app.add_flag("--describe", options.describe, "print configuration, rates and channels, then end");
 }
 
 std::unique_ptr<CanBus> OpenCanBus(const StationOptions& options, const Clock& clock) {
