@@ -11,23 +11,45 @@ namespace eod::sim {
 
 /// How one cast segment was judged.
 struct SegmentContact {
-  double threshold = 0;  ///< [m] D of Eq. 2 in this step
+  double threshold = 0;  ///< [m] D of Eq. 2 in this step; D0 while nothing moves
   bool contact = false;  ///< hit and range < threshold
-  MotionSet blocks = 0;  ///< commanded motions that would shorten it
+  MotionSet blocks = 0;  ///< motions that would shorten it
 };
 
-/// Where the robot may go: direction-aware blocking (3.3 of the design).
+/// A contact that blocked a motion. It stands, commanded or not, until the robot has moved away:
+/// the operator's lamp does not go out because he lets go of the button.
+struct HeldContact {
+  int isector = 0;
+  int segment = 0;
+  double threshold = 0;  ///< [m] D at which it was made
+  MotionSet blocks = 0;
+};
+
+/// Where the robot may go: direction-aware blocking (3.3 of the design). Carries the contacts that
+/// stand from one step to the next; a fresh one knows of none.
 struct Response {
   std::vector<SegmentContact> contacts;  ///< one a cast segment, same order
+  std::vector<HeldContact> held;         ///< of this step, in the order of `contacts`
   MotionSet blocked = 0;                 ///< motions to be left out
-  uint32_t contact_parts = 0;            ///< parts with a blocking contact, bits of Part
+  MotionSet left_hand_blocked = 0;       ///< of M17 and M18: the left hand stands still (3.4)
+  MotionSet right_hand_blocked = 0;
+  uint32_t contact_parts = 0;  ///< parts with a blocking contact, bits of Part
+  int first_contact = -1;      ///< index in `contacts` of the first blocking one; -1 if none
+
+  /// Motions whose isectors have to be cast, commanded or not, so that held contacts can end.
+  MotionSet Watched() const;
 };
 
 /// D = d0 up to V0 = skin/dt, d0 + v dt beyond (Eq. 2); v is the speed of the isector's own origin.
 double DistanceThreshold(const SegmentSpec& segment, double speed_mps, double dt_s);
 
-/// Judges the segments that were cast from the current pose against `demand`: a motion is blocked iff
-/// a segment in contact would get shorter by it. Each motion is judged alone, then all together.
+/// Judges the segments that were cast from the current pose against `demand`: a motion is blocked
+/// iff a segment in contact would get shorter by it. Each motion is judged alone, then all
+/// together. Only motions for which a segment is loaded (2.5) can be blocked by it. Lines of a hand
+/// stop that hand alone while the gripper opens or closes; both hands stopped block the motion.
+///
+/// `response` is the one of the step before (its `held` contacts matter) and is overwritten. No
+/// allocation once its vectors have grown.
 void Respond(const RobotModel& robot, const RobotState& state,
              std::span<const Eigen::Isometry3d> X_ML, std::span<const CastSegment> segments,
              const MotionDemand& demand, double dt_s, Response& response);

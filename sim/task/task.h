@@ -1,58 +1,32 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "sim/robot/robot_state.h"
+#include "sim/task/scenario.h"
 #include "sim/world/world_model.h"
 
 namespace eod::sim {
 
-/// One thing the trainee has to do; complete when its condition holds.
-struct TaskStep {
-  enum class Kind : uint8_t {
-    kContact,    ///< touch `object` with an isector, so that the motion is inhibited
-    kClear,      ///< no contact, and at least `distance` from where the contact was
-    kPassGate,   ///< drive the robot's origin through the opening of `object` (between its posts)
-    kStopAt,     ///< stand still for 1 s with the foremost point `distance` +- `tolerance` from `object`
-    kReach,      ///< origin within `tolerance` of (x, y)
-  };
-  Kind kind = Kind::kContact;
-  std::string object;
-  double distance = 0;   ///< [m]
-  double tolerance = 0;  ///< [m]
-  double x = 0, y = 0;   ///< [m] local
-  std::string text;      ///< for the trainee
-  double weight = 1;
-};
-
-/// An exercise: a TOML file.
-struct Scenario {
-  std::filesystem::path file;
-  std::string name;
-  std::string title;
-  int module = 1;
-  double par_time_s = 0;
-  double time_limit_s = 0;  ///< 0: none
-  std::vector<TaskStep> steps;
-  int64_t seed = 0;
-};
-
-/// Throws std::runtime_error with one line "FILE:LINE: …"; an unknown key names the nearest known one.
-Scenario LoadScenario(const std::filesystem::path& file);
-
+/// Numbers of ROB_STATUS.MissionState.
 enum class MissionState : int8_t { kIdle, kBrief, kRun, kSuccess, kFail, kAbort };
+
+/// Numbers of ROB_MISSION.FailReason.
+enum class FailReason : int8_t { kNone = 0, kTimeOut = 2, kRollover = 3 };
 
 struct TaskStatus {
   MissionState state = MissionState::kIdle;
-  double elapsed_s = 0;
-  int step = 0;
+  double elapsed_s = 0;  ///< simulated time since the start
+  int step = 0;          ///< 0-based; equals `steps` when done
   int steps = 0;
   double score = 0;  ///< 0..100
   int collisions = 0;
-  int fail_reason = 0;  ///< ROB_MISSION.FailReason
+  FailReason fail_reason = FailReason::kNone;
   bool operator==(const TaskStatus&) const = default;
 };
 
@@ -60,32 +34,62 @@ struct TaskStatus {
 struct TaskInputs {
   double dt_s = 0;
   const RobotState* state = nullptr;
-  double speed = 0;
-  double turn_rate = 0;
-  bool started = false;  ///< mission start asked for in this step
-  bool ended = false;
-  bool new_contact = false;       ///< an alarm of collision was raised in this step
+  double speed = 0;          ///< [m/s]
+  double turn_rate = 0;      ///< [rad/s]
+  bool started = false;      ///< mission start asked for in this step
+  bool ended = false;        ///< mission end asked for in this step
+  bool new_contact = false;  ///< an alarm of collision was raised in this step
   bool in_contact = false;
+  bool rolled_over = false;
   std::string_view contact_object;  ///< object of the first contact, "" if none
-  double forward_clearance = 0;     ///< [m] from the foremost point of the robot to what is ahead; infinity if nothing
+  /// [m] from the foremost point of the robot to what is ahead; infinity if nothing
+  double forward_clearance = 0;
   std::string_view forward_object;
 };
 
 /// Progress through a scenario's steps. Pure; no allocation in Advance.
+///
+/// The score is the share of the completed steps' weights, 0..100, less 2 for every collision that
+/// no step asked for, and never below 0.
 class Task {
  public:
+  /// Throws std::runtime_error that names the scenario's file, if a step's object is not in
+  /// `module`.
   Task(const Scenario& scenario, const ModuleModel& module);
+
   const TaskStatus& Advance(const TaskInputs& inputs);
   const TaskStatus& status() const { return status_; }
+
+  /// What the trainee is to do now; empty when nothing is.
   const std::string& step_text() const;
 
+  /// Forgets all progress: idle again.
+  void Reset();
+
+  /// Whether the current step needs to know what stands ahead of the robot.
+  bool LooksAhead() const;
+
  private:
-  std::vector<TaskStep> steps_;
-  const ModuleModel* module_;
+  struct Step {
+    TaskStep spec;
+    Eigen::Isometry3d X_OM = Eigen::Isometry3d::Identity();  ///< module's frame in the object's
+  };
+  void Start(const RobotState& state);
+  bool IsComplete(const Step& step, const TaskInputs& inputs);
+  bool HasPassed(const Step& gate, const Eigen::Vector3d& p_M);
+  bool HasStopped(const TaskStep& step, const TaskInputs& inputs);
+  void CountCollision(const TaskInputs& inputs);
+  void CompleteStep(const RobotState& state);
+  double Score() const;
+
+  std::vector<Step> steps_;
+  double time_limit_s_;
   TaskStatus status_;
-  double still_s_ = 0;
-  Eigen::Vector3d mark_ = Eigen::Vector3d::Zero();
-  double last_side_ = 0;
+  int64_t elapsed_steps_ = 0;
+  int asked_collisions_ = 0;
+  int still_steps_ = 0;
+  Eigen::Vector3d mark_ = Eigen::Vector3d::Zero();  ///< where the last step was completed
+  Eigen::Vector3d last_position_ = Eigen::Vector3d::Zero();
 };
 
 }  // namespace eod::sim

@@ -1,0 +1,59 @@
+#include "sim/alarms/alarm_rules.h"
+
+#include <array>
+#include <numbers>
+
+#include "sim/robot/motion_id.h"
+
+namespace eod::sim {
+namespace {
+
+constexpr double kPushDelay = 1.0;  // [s]
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kTiltLimit = 25 * kDegree;
+constexpr double kRolloverLimit = 45 * kDegree;
+
+constexpr uint32_t BitOf(Part part) { return 1u << static_cast<int>(part); }
+
+/// The part that a joint moves first, for the display: J1 .. J9.
+constexpr std::array<uint32_t, kJointCount> kPartsOfJoint = {
+    BitOf(Part::kFrontLeftWheel) | BitOf(Part::kFrontRightWheel),
+    BitOf(Part::kRearLeftWheel) | BitOf(Part::kRearRightWheel),
+    BitOf(Part::kBigArm),
+    BitOf(Part::kSmallArm),
+    BitOf(Part::kCrossbeam),
+    BitOf(Part::kCrossbeam),
+    BitOf(Part::kLeftHand) | BitOf(Part::kRightHand),
+    BitOf(Part::kMast),
+    BitOf(Part::kMast)};
+
+uint32_t PartsOf(uint32_t joints) {
+  uint32_t parts = 0;
+  for (int j = 0; j < kJointCount; ++j) {
+    if ((joints >> j & 1u) != 0) parts |= kPartsOfJoint[j];
+  }
+  return parts;
+}
+
+}  // namespace
+
+void AlarmRules::Update(const AlarmInputs& inputs, AlarmTable& table,
+                        std::vector<AlarmChange>& changes) {
+  table.Set(AlarmCode::kCollision, inputs.contact_parts != 0, inputs.contact_parts, changes);
+
+  // The step that raises the alarm counts nothing yet: the operator cannot have known.
+  pushed_steps_ = inputs.pushing && was_pushing_ ? pushed_steps_ + 1 : 0;
+  was_pushing_ = inputs.pushing;
+  const bool pushed_on = pushed_steps_ * inputs.dt_s > kPushDelay;
+  table.Set(AlarmCode::kPushAfterAlarm, pushed_on, inputs.contact_parts, changes);
+
+  limited_joints_ = (limited_joints_ | inputs.driven_joints) & inputs.limit_flags;
+  table.Set(AlarmCode::kJointLimit, limited_joints_ != 0, PartsOf(limited_joints_), changes);
+
+  const bool rolled_over = inputs.tilt > kRolloverLimit;
+  table.Set(AlarmCode::kTilt, inputs.tilt > kTiltLimit && !rolled_over, BitOf(Part::kChassis),
+            changes);
+  table.Set(AlarmCode::kRollover, rolled_over, BitOf(Part::kChassis), changes);
+}
+
+}  // namespace eod::sim

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/alarms/alarm_table.h"
+namespace eod::sim {
+
+/// What a step found, as far as alarms are concerned.
+struct AlarmInputs {
+  double dt_s = 0;
+  uint32_t contact_parts = 0;  ///< parts with a blocking contact, bits of Part
+  bool pushing = false;        ///< a motion is commanded although a contact blocks it
+  uint32_t limit_flags = 0;    ///< joints that stand on a limit, bit j is joint j
+  uint32_t driven_joints = 0;  ///< joints that are commanded against the limit they stand on
+  double tilt = 0;             ///< [rad] between the robot's up axis and the vertical
+};
+
+/// When an alarm goes on and off.
+///
+/// Collision: from a new contact until it is gone. Push after alarm: a blocked motion held for more
+/// than 1 s after the alarm; until it is let go. Joint limit: once a joint is driven against its
+/// limit; until it has left it. Tilt beyond 25 degrees, rollover beyond 45 (4.2 of the design).
+class AlarmRules {
+ public:
+  void Update(const AlarmInputs& inputs, AlarmTable& table, std::vector<AlarmChange>& changes);
+
+ private:
+  int pushed_steps_ = 0;
+  bool was_pushing_ = false;
+  uint32_t limited_joints_ = 0;
+};
+
+}  // namespace eod::sim

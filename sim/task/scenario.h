@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace eod::sim {
+
+/// One thing the trainee has to do; complete when its condition holds.
+struct TaskStep {
+  enum class Kind : uint8_t {
+    kContact,   ///< touch `object` (any if empty) with an isector, so that the motion is inhibited
+    kClear,     ///< no contact, and at least `distance` from where the contact was
+    kPassGate,  ///< drive the robot's origin along Y of `object`, at most `distance`/2 beside it
+    kStopAt,    ///< stand still for 1 s, the foremost point `distance` +- `tolerance` from `object`
+    kReach,     ///< origin within `tolerance` of (x, y)
+  };
+  Kind kind = Kind::kContact;
+  std::string object;
+  double distance = 0;   ///< [m]; of a gate: width of its opening
+  double tolerance = 0;  ///< [m]
+  double x = 0, y = 0;   ///< [m] local
+  std::string text;      ///< for the trainee
+  double weight = 1;
+};
+
+/// An exercise: a TOML file.
+struct Scenario {
+  std::filesystem::path file;
+  std::string name;
+  std::string title;
+  int module = 1;
+  double par_time_s = 0;
+  double time_limit_s = 0;  ///< 0: none
+  std::vector<TaskStep> steps;
+  int64_t seed = 0;
+};
+
+/// Reads a scenario. Throws std::runtime_error with one line "FILE:LINE: …": a key that is unknown
+/// (names the nearest known one) or missing, a value of the wrong type or out of range.
+Scenario LoadScenario(const std::filesystem::path& file);
+
+}  // namespace eod::sim
