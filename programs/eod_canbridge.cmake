@@ -1,1 +1,1 @@
-# filled by its owner
+eod_program(eod-canbridge SOURCES eod_canbridge.cpp DEPENDS eod_bridge)
