@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "platform/time.h"
+#include "sim/motion/motion.h"
+#include "sim/robot/motion_id.h"
+
+namespace eod::sim {
+
+/// Why a motion is inhibited: numbers of box_command_t REASON_*, as far as the simulator gives
+/// them.
+enum InhibitReason : int {
+  kReasonNone = 0,
+  kReasonCollision = 1,
+  kReasonJointLimit = 2,
+  kReasonConflict = 3,
+  kReasonLinkLoss = 5,
+};
+
+/// Numbers of box_command_t.menu_command.
+enum MenuCommand : int { kMenuNone, kMenuStart, kMenuPause, kMenuResume, kMenuReset, kMenuEnd };
+
+/// What the operator asks for, as the bridge passed it on.
+struct OperatorCommand {
+  int32_t sequence = 0;
+  TimePoint stamp{};  ///< when it was received
+  bool motion_permitted = false;
+  std::array<double, kMotionCount> motion_rate{};  ///< 0..1
+  MotionSet inhibited = 0;                         ///< refused by the bridge already
+  int inhibit_reason = 0;                          ///< box_command_t REASON_*
+  int speed_range = 1;                             ///< 0 creep, 1 low, 2 high
+  int menu_module = 0;                             ///< 0 none, 1 flat .. 5 indoor
+  int menu_command = 0;                            ///< MenuCommand; acts when it changes
+};
+
+/// What is left of a command that can be trusted.
+struct Wish {
+  MotionDemand demand;
+  MotionSet refused = 0;  ///< asked for, but not to be done
+  int reason = kReasonNone;
+};
+
+/// Any doubt means zero motion: not permitted, `timeout` old or older, an unknown speed range.
+/// Opposite motions together are both refused; a rate is clamped to 0..1, and NaN is 0.
+Wish WishOf(const OperatorCommand& command, TimePoint now, Duration timeout);
+
+}  // namespace eod::sim

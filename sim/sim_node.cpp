@@ -1,0 +1,211 @@
+#include "sim/sim_node.h"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+#include "lcmtypes/channels.h"
+
+namespace eod::sim {
+namespace {
+
+// The battery is not simulated: a full one, as a 24 V pack rests.
+constexpr double kBatteryVoltage = 25.6;  // [V]
+
+double ToDegrees(double radians) { return radians * (180 / std::numbers::pi); }
+
+/// Writes a point of the module's frame as a point of the world's.
+void PutPoint(const ModuleModel& module, const Eigen::Vector3d& p_M, double* metres) {
+  Eigen::Map<Eigen::Vector3d>{metres} = module.origin_W + p_M;
+}
+
+/// The command in a message that was received at `received`.
+OperatorCommand FromMessage(const box_command_t& message, TimePoint received) {
+  OperatorCommand command;
+  command.sequence = message.sequence;
+  command.stamp = received;
+  command.motion_permitted = message.motion_permitted != 0;
+  std::copy_n(message.motion_rate, kMotionCount, command.motion_rate.begin());
+  command.inhibited = static_cast<MotionSet>(message.inhibit_mask);
+  command.inhibit_reason = message.inhibit_reason;
+  command.speed_range = message.speed_range;
+  command.menu_module = message.menu_module;
+  command.menu_command = message.menu_command;
+  return command;
+}
+
+// These fill a message with what the last step found. Poses leave the module's local frame for the
+// world's, radians become degrees.
+
+void Fill(const Simulator& simulator, robot_state_t& message) {
+  const StepResult& result = simulator.last();
+  const RobotState& state = result.state;
+  message.utime = ToUtime(result.time);
+  message.step = result.step;
+  message.module = static_cast<int8_t>(result.module);
+  PutPoint(simulator.module(), state.position, message.position_m);
+  message.heading_deg = ToDegrees(state.attitude.heading);
+  message.pitch_deg = ToDegrees(state.attitude.pitch);
+  message.roll_deg = ToDegrees(state.attitude.roll);
+  message.speed_mps = result.speed;
+  message.turn_rate_dps = ToDegrees(result.turn_rate);
+  for (int j = 0; j < kJointCount; ++j) {
+    message.joint[j] = j == kGripperOpening ? state.joint[j] : ToDegrees(state.joint[j]);
+  }
+  message.limit_flags = static_cast<int16_t>(result.limit_flags);
+  message.inhibit_mask = static_cast<int32_t>(result.inhibited);
+  message.inhibit_reason = static_cast<int8_t>(result.inhibit_reason);
+  message.contact_parts = static_cast<int32_t>(result.contact_parts);
+  message.battery_v = kBatteryVoltage;
+  message.battery_soc = 1;
+  message.command_sequence = result.command_sequence;
+}
+
+void Fill(const Simulator& simulator, mission_status_t& message) {
+  const StepResult& result = simulator.last();
+  const TaskStatus& task = result.task;
+  message.utime = ToUtime(result.time);
+  message.scenario = simulator.scenario().name;
+  message.module = static_cast<int8_t>(result.module);
+  message.state = static_cast<int8_t>(task.state);
+  message.elapsed_s = task.elapsed_s;
+  message.step = static_cast<int8_t>(task.step);
+  message.steps = static_cast<int8_t>(task.steps);
+  message.step_text = simulator.task().step_text();
+  message.score = task.score;
+  message.collisions = task.collisions;
+  message.fail_reason = static_cast<int8_t>(task.fail_reason);
+}
+
+void Fill(const RobotModel& robot, const Simulator& simulator, isector_hits_t& message) {
+  const std::span<const CastSegment> segments = simulator.isectors().segments();
+  const size_t count = segments.size();
+  message.utime = ToUtime(simulator.last().time);
+  message.step = simulator.last().step;
+  message.num_segments = static_cast<int32_t>(count);
+  message.isector.resize(count);
+  message.segment.resize(count);
+  message.start_m.resize(count, std::vector<double>(3));
+  message.end_m.resize(count, std::vector<double>(3));
+  message.hit.resize(count);
+  message.range_m.resize(count);
+  message.threshold_m.resize(count);
+  message.contact.resize(count);
+  message.object.resize(count);
+  for (size_t i = 0; i < count; ++i) {
+    const CastSegment& cast = segments[i];
+    const SegmentContact& contact = simulator.response().contacts[i];
+    const Eigen::Vector3d p_M = cast.query.start + cast.query.direction * cast.query.length;
+    message.isector[i] = robot.isectors[cast.isector].name;
+    message.segment[i] = static_cast<int8_t>(cast.segment);
+    PutPoint(simulator.module(), cast.query.start, message.start_m[i].data());
+    PutPoint(simulator.module(), p_M, message.end_m[i].data());
+    message.hit[i] = cast.hit.hit ? 1 : 0;
+    message.range_m[i] = cast.hit.hit ? cast.hit.range : std::numeric_limits<double>::quiet_NaN();
+    message.threshold_m[i] = contact.threshold;
+    message.contact[i] = contact.contact ? 1 : 0;
+    message.object[i] = simulator.world().ObjectName(cast.hit.hit ? cast.hit.object : -1);
+  }
+}
+
+}  // namespace
+
+SimNode::SimNode(const SimNodeConfig& config, const RobotModel& robot, const WorldModel& world,
+                 const Scenario& scenario, lcm::LCM& lcm, const Clock& clock)
+    : config_(config),
+      robot_(robot),
+      simulator_(robot, world, scenario, config.simulator),
+      lcm_(lcm),
+      clock_(clock),
+      state_channel_(ChannelName(config.channel_prefix, kRobotStateChannel)),
+      alarm_channel_(ChannelName(config.channel_prefix, kAlarmChannel)),
+      mission_channel_(ChannelName(config.channel_prefix, kMissionStatusChannel)),
+      isectors_channel_(ChannelName(config.channel_prefix, kIsectorHitsChannel)) {
+  alarm_message_.source = alarm_t::SOURCE_SIM;
+  subscription_ = lcm_.subscribe(ChannelName(config.channel_prefix, kBoxCommandChannel),
+                                 &SimNode::OnCommand, this);
+}
+
+SimNode::~SimNode() { lcm_.unsubscribe(subscription_); }
+
+void SimNode::OnCommand(const lcm::ReceiveBuffer* /*buffer*/, const std::string& /*channel*/,
+                        const box_command_t* message) {
+  command_ = FromMessage(*message, clock_.Now());
+}
+
+void SimNode::OnTick(TimePoint scheduled) {
+  const StepResult& result = simulator_.Step(scheduled, command_);
+  Fill(simulator_, state_message_);
+  lcm_.publish(state_channel_, &state_message_);
+  PublishAlarms(result);
+  PublishMission(result);
+  if (config_.publish_isectors) {
+    Fill(robot_, simulator_, isectors_message_);
+    lcm_.publish(isectors_channel_, &isectors_message_);
+  }
+  if (scene_output_.show && scheduled >= scene_due_) ShowScene(result);
+}
+
+/// A message a change, and the whole set again now and then for whoever came late.
+void SimNode::PublishAlarms(const StepResult& result) {
+  for (const AlarmChange& change : result.alarm_changes) {
+    ++alarm_message_.sequence;
+    alarm_message_.is_repeat = 0;
+    alarm_message_.code = static_cast<int16_t>(change.code);
+    alarm_message_.raised = change.raised ? 1 : 0;
+    alarm_message_.parts = static_cast<int32_t>(change.parts);
+    PublishAlarm(result.time);
+  }
+  if (result.time < alarms_due_) return;
+  alarm_message_.is_repeat = 1;
+  alarm_message_.code = 0;
+  alarm_message_.raised = 0;
+  alarm_message_.parts = 0;
+  PublishAlarm(result.time);
+}
+
+void SimNode::PublishAlarm(TimePoint time) {
+  alarm_message_.utime = ToUtime(time);
+  alarm_message_.active_code.clear();
+  alarm_message_.active_parts.clear();
+  for (const ActiveAlarm& alarm : simulator_.alarms().active()) {
+    alarm_message_.active_code.push_back(static_cast<int16_t>(alarm.code));
+    alarm_message_.active_parts.push_back(static_cast<int32_t>(alarm.parts));
+  }
+  alarm_message_.num_active = static_cast<int16_t>(alarm_message_.active_code.size());
+  lcm_.publish(alarm_channel_, &alarm_message_);
+  alarms_due_ = time + config_.alarm_repeat;
+}
+
+void SimNode::PublishMission(const StepResult& result) {
+  if (!result.task_changed && result.time < mission_due_) return;
+  Fill(simulator_, mission_message_);
+  lcm_.publish(mission_channel_, &mission_message_);
+  mission_due_ = result.time + config_.mission_repeat;
+}
+
+/// Hands a copy of the step to the cameras, at their rate: they must never make a step wait.
+void SimNode::ShowScene(const StepResult& result) {
+  // The rate holds on average although pictures can only start at a step; after a gap it starts
+  // anew.
+  scene_due_ += scene_output_.period;
+  if (scene_due_ <= result.time) scene_due_ = result.time + scene_output_.period;
+  snapshot_.time = result.time;
+  snapshot_.module = result.module;
+  snapshot_.state = result.state;
+  snapshot_.segments.clear();
+  if (scene_output_.draw_isectors) {
+    const auto segments = simulator_.isectors().segments();
+    for (size_t i = 0; i < segments.size(); ++i) {
+      const SegmentQuery& query = segments[i].query;
+      snapshot_.segments.push_back({.start = query.start,
+                                    .end = query.start + query.direction * query.length,
+                                    .hit = segments[i].hit.hit,
+                                    .contact = simulator_.response().contacts[i].contact,
+                                    .point = segments[i].hit.point});
+    }
+  }
+  scene_output_.show(snapshot_);
+}
+
+}  // namespace eod::sim

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+
+#include <lcm/lcm-cpp.hpp>
+
+#include "eod/alarm_t.hpp"
+#include "eod/box_command_t.hpp"
+#include "eod/isector_hits_t.hpp"
+#include "eod/mission_status_t.hpp"
+#include "eod/robot_state_t.hpp"
+
+#include "platform/clock.h"
+#include "sim/camera/camera_thread.h"
+#include "sim/simulator.h"
+
+namespace eod::sim {
+
+struct SimNodeConfig {
+  std::string channel_prefix;
+  SimulatorConfig simulator;
+  bool publish_isectors = false;  ///< EOD_ISECTOR_HITS every step
+  Duration alarm_repeat = std::chrono::milliseconds(100);
+  Duration mission_repeat = std::chrono::milliseconds(200);
+};
+
+/// What is to be shown to cameras, if there are any.
+struct SceneOutput {
+  std::function<void(const SceneSnapshot&)> show;  ///< called from OnTick; empty: no cameras
+  Duration period = std::chrono::milliseconds(33);
+  bool draw_isectors = false;
+};
+
+/// The simulator on LCM: box commands in; robot state, alarms and mission out.
+class SimNode {
+ public:
+  /// `robot` and `world` must outlive the node. Throws as Simulator does.
+  SimNode(const SimNodeConfig& config, const RobotModel& robot, const WorldModel& world,
+          const Scenario& scenario, lcm::LCM& lcm, const Clock& clock);
+  ~SimNode();
+  SimNode(const SimNode&) = delete;
+  SimNode& operator=(const SimNode&) = delete;
+
+  /// Before the first tick.
+  void SetSceneOutput(SceneOutput output) { scene_output_ = std::move(output); }
+
+  void OnCan() {}  ///< has no bus
+  /// One step. `scheduled` is the moment that it stands for, and the utime of all it publishes.
+  void OnTick(TimePoint scheduled);
+  Duration tick_period() const { return config_.simulator.period; }
+
+  const Simulator& simulator() const { return simulator_; }
+
+ private:
+  void OnCommand(const lcm::ReceiveBuffer* buffer, const std::string& channel,
+                 const box_command_t* message);
+  void PublishAlarms(const StepResult& result);
+  void PublishAlarm(TimePoint time);
+  void PublishMission(const StepResult& result);
+  void ShowScene(const StepResult& result);
+
+  SimNodeConfig config_;
+  const RobotModel& robot_;
+  Simulator simulator_;
+  lcm::LCM& lcm_;
+  const Clock& clock_;
+  lcm::Subscription* subscription_ = nullptr;
+  OperatorCommand command_;
+  SceneOutput scene_output_;
+  SceneSnapshot snapshot_;
+  TimePoint scene_due_{};
+  TimePoint alarms_due_{};
+  TimePoint mission_due_{};
+  // Messages and names keep their memory from step to step.
+  robot_state_t state_message_{};
+  alarm_t alarm_message_{};
+  mission_status_t mission_message_{};
+  isector_hits_t isectors_message_{};
+  std::string state_channel_;
+  std::string alarm_channel_;
+  std::string mission_channel_;
+  std::string isectors_channel_;
+};
+
+}  // namespace eod::sim
