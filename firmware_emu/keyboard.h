@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string_view>
+
+#include "firmware_emu/key_parser.h"
+#include "firmware_emu/operator_hands.h"
+#include "platform/time.h"
+
+namespace eod::box {
+
+/// Which key does what, for the keyboard and for the screen's legend.
+struct MotionKey {
+  Key key;
+  int motion;  ///< 1..22
+};
+
+/// Terminals tell no key-up: a key holds its motion for this long after its last repeat.
+inline constexpr Duration kKeyHoldTime = std::chrono::milliseconds(300);
+
+/// What a key asked for beyond the controls of the box.
+enum class KeyOutcome : uint8_t { kUnused, kDone, kQuit };
+
+/// Does to `hands` what `key` means.
+KeyOutcome PressKey(const Key& key, TimePoint now, OperatorHands& hands);
+
+}  // namespace eod::box

@@ -1,0 +1,129 @@
+#include "firmware_emu/panel_screen.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "firmware_emu/panel_journal.h"
+#include "firmware_emu/vocabulary.h"
+
+namespace eod::box {
+namespace {
+
+constexpr std::string_view kPlain = "\x1b[0m";
+constexpr std::string_view kDim = "\x1b[2m";
+constexpr std::string_view kGreen = "\x1b[30;42m";
+constexpr std::string_view kYellow = "\x1b[30;43m";
+constexpr std::string_view kRed = "\x1b[97;41m";
+constexpr std::string_view kHome = "\x1b[H";
+constexpr std::string_view kEndOfLine = "\x1b[K\r\n";
+
+using dbc::Lamp;
+
+// Lens colours as IEC 60204-1 has them: red emergency, yellow abnormal, green normal.
+std::string_view LensColour(int lamp) {
+  switch (static_cast<Lamp>(lamp)) {
+    case Lamp::kEstop:
+    case Lamp::kCollision:
+    case Lamp::kFired:
+    case Lamp::kFault:
+      return kRed;
+    case Lamp::kLimit:
+    case Lamp::kTilt:
+    case Lamp::kBattery:
+    case Lamp::kArmed:
+      return kYellow;
+    default:
+      return kGreen;
+  }
+}
+
+template <typename Enum>
+std::string_view WordOf(std::span<const std::string_view> words, Enum value) {
+  const auto index = static_cast<size_t>(value);
+  return index < words.size() ? words[index] : "?";
+}
+
+std::string Line(std::string_view text) {
+  return fmt::format("{}{}", text.substr(0, kScreenWidth), kEndOfLine);
+}
+
+std::string LampRow(const PanelStatus& status, int first, int last) {
+  std::string row = " ";
+  for (int i = first; i < last; ++i) {
+    row +=
+        fmt::format("{}{:^10}{} ", status.lit[i] ? LensColour(i) : kDim, words::kLamp[i], kPlain);
+  }
+  return row + std::string(kEndOfLine);
+}
+
+std::string JointRows(const dbc::RobotFeedback& robot) {
+  const auto& j = robot.joint;
+  return Line(fmt::format(" Flippers   front {:7.2f} deg   rear {:7.2f} deg", j[0], j[1])) +
+         Line(fmt::format(" Arm        big {:7.2f}   small {:7.2f}   wrist {:7.2f} deg", j[2], j[3],
+                          j[4])) +
+         Line(fmt::format(" Gripper    roll {:7.2f} deg   opening {:6.1f} mm", j[5], j[6] * 1000)) +
+         Line(fmt::format(" Camera     pan {:7.2f}   tilt {:7.2f} deg", j[7], j[8]));
+}
+
+std::string ControlRows(const PanelInputs& inputs) {
+  const dbc::PanelState& controls = inputs.controls;
+  return Line(fmt::format(
+             " Key {:<11} E-stop {:<8} Deadman {:<8} Speed {:<5} {:3.0f} %",
+             WordOf(words::kKey, controls.key), inputs.estop_pressed ? "PRESSED" : "out",
+             WordOf(words::kDeadman, controls.deadman), WordOf(words::kSpeed, controls.speed_range),
+             controls.speed_limit * 100)) +
+         Line(fmt::format(" Module {:<8} Camera {:<8}",
+                          WordOf(words::kModule, controls.menu_module),
+                          WordOf(words::kCamera, controls.camera)));
+}
+
+uint32_t PressedMotions(const PanelStatus& status) {
+  uint32_t pressed = 0;
+  for (int m = 0; m < dbc::kMotionCount; ++m) pressed |= (status.reported.motion[m] ? 1u : 0u) << m;
+  return pressed;
+}
+
+constexpr std::array<std::string_view, 7> kLegend{
+    " arrows drive, turn   SPACE e-stop  z release it   x deadman  n reset  ENTER start",
+    " m key switch   1 2 3 creep low high   , . speed limit   c camera   v lamp test",
+    " 8 module flat  9 menu start  0 menu reset   b buzzer off          Q or Ctrl-C quit",
+    " y/h front flipper   u/j rear flipper   q/a big arm   w/s small arm   e/d wrist",
+    " r/f gripper roll    t/g gripper open/close   o/p pan left/right   i/k tilt",
+    " A key holds its motion for 0.3 s after its last repeat: keep it down to go on.",
+    " Drive: m m x n ENTER, then the arrows.",
+};
+
+}  // namespace
+
+std::string DrawPanel(const PanelStatus& status, const PanelInputs& inputs) {
+  const dbc::RobotFeedback& robot = status.feedback;
+  const std::string_view buzzer = WordOf(words::kBuzzer, status.buzzer);
+  std::string screen(kHome);
+  screen += Line(fmt::format(" EOD CONTROL BOX   box {:<10} robot {:<10} link {:<5} rx {}",
+                             WordOf(words::kBoxState, status.state),
+                             WordOf(words::kRobotState, robot.state),
+                             status.link_up ? "up" : "DOWN", status.rx));
+  screen += Line("");
+  screen += LampRow(status, 0, 7) + LampRow(status, 7, dbc::kLampCount);
+  screen +=
+      Line(fmt::format(" Buzzer {:<11} {}", buzzer, status.is_sounding ? "((( o )))" : "    o"));
+  screen += Line("");
+  screen +=
+      Line(fmt::format(" Speed {:6.2f} m/s   heading {:6.1f}   pitch {:5.1f}   roll {:5.1f} deg",
+                       robot.speed_mps, robot.heading_deg, robot.pitch_deg, robot.roll_deg));
+  screen += JointRows(robot);
+  screen += Line(fmt::format(" Pressed   {}", MotionsText(PressedMotions(status))));
+  screen += Line(fmt::format(" Inhibited {} ({})", MotionsText(robot.inhibit_mask),
+                             WordOf(words::kInhibitReason, robot.inhibit_reason)));
+  screen += Line(fmt::format(" Contact   {}", PartsText(robot.hit_parts)));
+  screen += ControlRows(inputs);
+  for (const std::string_view text : kLegend) screen += Line(text);
+  screen.erase(screen.size() - 2);  // no line feed after the last line: the screen would scroll
+  return screen;
+}
+
+}  // namespace eod::box

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "firmware_emu/condition.h"
+#include "firmware_emu/panel_action.h"
+#include "platform/time.h"
+
+namespace eod::box {
+
+/// One line of an operator script.
+struct Statement {
+  enum class Kind : uint8_t {
+    kAction,
+    kWaitFor,
+    kWaitUntil,
+    kHoldFor,
+    kHoldUntil,
+    kExpect,
+    kNote,
+    kFail
+  };
+  Kind kind = Kind::kNote;
+  int line = 0;      ///< in the file, 1-based
+  std::string text;  ///< the line as written, without leading blanks and comment
+  PanelAction action;
+  uint32_t motions = 0;  ///< kHold…: bit m-1 is motion m
+  Condition condition;
+  Duration duration{};  ///< kWaitFor, kHoldFor: how long; …Until: at most
+  std::string message;  ///< kNote, kFail
+};
+
+/// An operator script: what hands do to the box, and what eyes wait for. README.md has the format.
+struct Script {
+  std::filesystem::path file;
+  std::vector<Statement> statements;
+};
+
+/// Throws std::runtime_error "FILE:LINE: 'WORD': allowed: …".
+Script ParseScript(std::string_view text, const std::filesystem::path& file);
+
+/// Reads a file. Throws as ParseScript, or "FILE: …" if it cannot be read.
+Script LoadScript(const std::filesystem::path& file);
+
+}  // namespace eod::box
