@@ -86,7 +86,11 @@ class FrameVisitor : public msgpack::null_visitor {
   bool visit_nil() { return IsValueOf(kChannel); }
   bool visit_boolean(bool value);
   bool visit_positive_integer(uint64_t value);
-  bool visit_negative_integer(int64_t /*value*/) { return IsValueOf(kTimestamp); }
+  bool visit_negative_integer(int64_t value) {
+    // The parser reports every signed width here, whatever its sign.
+    return value >= 0 ? visit_positive_integer(static_cast<uint64_t>(value))
+                      : IsValueOf(kTimestamp);
+  }
   bool visit_float32(float /*value*/) { return IsValueOf(kTimestamp); }
   bool visit_float64(double /*value*/) { return IsValueOf(kTimestamp); }
   bool visit_str(const char* text, uint32_t size);
