@@ -19,6 +19,8 @@ enum MotionId : int {
 /// Set of motions: bit m is motion m (M01 is bit 0).
 using MotionSet = uint32_t;
 inline constexpr MotionSet kAllMotions = (1u << kMotionCount) - 1;
+/// Beside motions, in the sets that an isector is loaded by: cast even while nothing is commanded.
+inline constexpr MotionSet kAlways = 1u << 31;
 constexpr MotionSet SetOf(int motion) { return 1u << motion; }
 constexpr bool Contains(MotionSet set, int motion) { return (set >> motion & 1u) != 0; }
 

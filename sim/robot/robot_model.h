@@ -4,13 +4,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "sim/geometry/visual.h"
 #include "sim/robot/motion_id.h"
 #include "sim/robot/robot_state.h"
-#include "sim/geometry/visual.h"
 
 namespace eod::sim {
 
@@ -34,8 +35,8 @@ struct LinkSpec {
   Kind kind = Kind::kFixed;
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< in the link's frame
   int joint = -1;                                   ///< JointId that moves it; -1 for fixed links
-  /// Coordinate of the link = scale * coordinate of the joint: +-1 for the hands, -2/3 for the
-  /// crossbeam (Eq. 6). The hands use their own opening, not the joint's (each stops on its own).
+  /// Coordinate of the link = scale * coordinate of the joint; 2/3 for the crossbeam, which slides
+  /// back (Eq. 6). The hands use their own opening, not the joint's (each stops on its own).
   double scale = 1;
   enum class Hand : uint8_t { kNone, kLeft, kRight } hand = Hand::kNone;
 };
@@ -60,8 +61,9 @@ struct IsectorSpec {
   int link = 0;
   Eigen::Isometry3d X_LI = Eigen::Isometry3d::Identity();
   uint32_t class_mask = 0;         ///< proxy and object classes it looks for, module bit apart
-  MotionSet motions = kAllMotions; ///< dynamic loading: active while one of these is commanded
+  MotionSet motions = kAllMotions; ///< active while one of these is commanded; kAlways: ever
   Part part = Part::kChassis;      ///< part that an alarm names
+  bool extended = false;           ///< beyond the source paper's set, see Coverage in isector_set.h
   std::vector<SegmentSpec> segments;
 };
 
@@ -102,6 +104,12 @@ RobotModel LoadRobot(const std::filesystem::path& file);
 
 /// State at the home pose, standing at the origin.
 RobotState HomeState(const RobotModel& model);
+
+/// Index of the link of this name, -1 if there is none.
+int FindLink(const RobotModel& model, std::string_view name);
+
+/// Index of the isector of this name, -1 if there is none.
+int FindIsector(const RobotModel& model, std::string_view name);
 
 /// Pose of every link in the frame that `state` is given in; same order as model.links.
 /// `poses` keeps its memory between calls.

@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "sim/robot/motion_id.h"
 #include "sim/geometry/pose.h"
+#include "sim/robot/motion_id.h"
 
 namespace eod::sim {
 

@@ -6,15 +6,9 @@
 
 #include <Eigen/Core>
 
-namespace eod::sim {
+#include "sim/geometry/object_class.h"
 
-/// Class mask bits. A segment tests an object iff (segment mask & object class) != 0 within the
-/// active module. Order of the modules as in the paper.
-inline constexpr uint32_t kModuleFlat = 0x01, kModuleSlope = 0x02, kModuleBomb = 0x04,
-                          kModuleOutdoor = 0x08, kModuleIndoor = 0x10, kBombObject = 0x100,
-                          kMovableObject = 0x200, kContainmentVessel = 0x400,
-                          kClampProxy = 0x1000,  ///< what TRIPOD and HAT stand on
-                          kBumpProxy = 0x2000;   ///< what BUMP and LOS run into
+namespace eod::sim {
 
 enum class HitRule : uint8_t { kNearest, kHighest };
 enum class FaceRule : uint8_t { kTwoSided, kFrontOnly };
@@ -24,12 +18,13 @@ struct SegmentQuery {
   Eigen::Vector3d start = Eigen::Vector3d::Zero();
   Eigen::Vector3d direction = Eigen::Vector3d::UnitY();  ///< unit
   double length = 0;                                     ///< [m]
-  uint32_t class_mask = 0;
+  uint32_t class_mask = 0;  ///< tests objects that `Accepts(class_mask, object class)`
   HitRule hit_rule = HitRule::kNearest;
   FaceRule face_rule = FaceRule::kTwoSided;
 };
 
-/// What a segment met. Both ends count: a hit exactly at the start has range 0.
+/// What a segment met. Both ends count: a hit exactly at the start has range 0. (What lies within a
+/// nanometre beyond an end counts as on it, so that rounding never loses an exact touch.)
 struct SegmentHit {
   bool hit = false;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();    ///< local frame

@@ -1,0 +1,101 @@
+#include <fmt/format.h>
+
+#include "sim/geometry/object_class.h"
+#include "sim/robot/robot_parts.h"
+#include "sim/robot/vocabulary.h"
+
+namespace eod::sim {
+
+namespace {
+
+bool LooksForGround(IsectorMethod method) {
+  return method == IsectorMethod::kTripod || method == IsectorMethod::kHat ||
+         method == IsectorMethod::kZ || method == IsectorMethod::kZpr ||
+         method == IsectorMethod::kXyzpr;
+}
+
+/// How many lines a method has: a fixed number, or a range.
+std::pair<size_t, size_t> SegmentCounts(IsectorMethod method) {
+  switch (method) {
+    case IsectorMethod::kTripod:
+      return {3, 3};
+    case IsectorMethod::kBump:
+      return {1, 6};
+    case IsectorMethod::kVolume:
+      return {1, 32};
+    default:
+      return {1, 1};
+  }
+}
+
+SegmentSpec ReadGroundLine(const CustomElement& element, const RobotModel& model) {
+  element.AllowAttributes({"name", "start"});
+  const double length = model.step_up_limit + model.fall_search;
+  SegmentSpec segment{.name = element.Text("name"),
+                      .direction = -Eigen::Vector3d::UnitZ(),
+                      .length = length,
+                      .motions = kAllMotions | kAlways};
+  if (element.Has("start")) segment.start = element.Vector("start");
+  segment.start.z() += model.step_up_limit;
+  return segment;
+}
+
+SegmentSpec ReadFeeler(const CustomElement& element) {
+  element.AllowAttributes({"name", "start", "direction", "length", "d0", "skin", "motions"});
+  SegmentSpec segment{.name = element.Text("name"),
+                      .direction = element.Vector("direction"),
+                      .length = element.Number("length", 0.001, 1000),
+                      .d0 = element.Number("d0", 0, 10),
+                      .skin = element.Number("skin", 0, 10),
+                      .motions = kAllMotions | kAlways};
+  if (element.Has("start")) segment.start = element.Vector("start");
+  if (element.Has("motions")) segment.motions = MotionsOf(element, "motions");
+  if (std::abs(segment.direction.norm() - 1) > 1e-6) {
+    element.Fail(fmt::format("direction of <eod:segment> {}: length {}, needs 1", segment.name,
+                             segment.direction.norm()));
+  }
+  segment.direction.normalize();
+  if (segment.length < segment.d0 + 0.10) {
+    element.Fail(fmt::format("length {} of <eod:segment> {}: needs d0 + 0.10 m = {} or more",
+                             segment.length, segment.name, segment.d0 + 0.10));
+  }
+  return segment;
+}
+
+bool IsExtended(const CustomElement& element) {
+  if (!element.Has("coverage")) return false;
+  const std::string& coverage = element.Text("coverage");
+  if (coverage != "paper" && coverage != "extended") {
+    element.Fail(fmt::format("coverage = \"{}\" of <eod:isector>: allowed paper, extended",
+                             coverage));
+  }
+  return coverage == "extended";
+}
+
+}  // namespace
+
+IsectorSpec ReadIsector(const CustomElement& element, int link, const RobotModel& model) {
+  element.AllowAttributes({"name", "method", "part", "pose", "motions", "coverage"});
+  AllowElements(element.children, {"segment"}, "isector " + element.Text("name"));
+  IsectorSpec isector{.name = element.Text("name"),
+                      .method = MethodOf(element, "method"),
+                      .link = link,
+                      .motions = MotionsOf(element, "motions"),
+                      .part = PartOf(element, "part"),
+                      .extended = IsExtended(element),
+                      .segments = {}};
+  if (element.Has("pose")) isector.X_LI = element.Pose("pose");
+  const bool ground = LooksForGround(isector.method);
+  isector.class_mask = ground ? kClampProxy : kBumpProxy;
+  for (const CustomElement& child : element.children) {
+    isector.segments.push_back(ground ? ReadGroundLine(child, model) : ReadFeeler(child));
+  }
+  const auto [fewest, most] = SegmentCounts(isector.method);
+  if (isector.segments.size() < fewest || isector.segments.size() > most) {
+    element.Fail(fmt::format("isector {}: {} segments, method {} has {}..{}", isector.name,
+                             isector.segments.size(), element.Text("method"), fewest, most));
+  }
+  return isector;
+}
+
+}  // namespace eod::sim

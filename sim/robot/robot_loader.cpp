@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "sim/robot/robot_model.h"
+#include "sim/robot/robot_parts.h"
+
+namespace eod::sim {
+
+namespace {
+
+/// Our cameras look along +Y, those of SDFormat along +X.
+Eigen::Isometry3d ForwardAlongY(const Eigen::Isometry3d& X_LS) {
+  return X_LS * Eigen::AngleAxisd(-std::numbers::pi / 2, Eigen::Vector3d::UnitZ());
+}
+
+CameraSpec ToCameraSpec(const SdfCamera& camera, int link, const std::filesystem::path& file) {
+  if (camera.width < 16 || camera.width > 4096 || camera.height < 16 || camera.height > 4096) {
+    FailAt(file, camera.line,
+           fmt::format("camera {}: {} x {} pixels, allowed 16..4096", camera.name, camera.width,
+                       camera.height));
+  }
+  return {.name = camera.name,
+          .link = link,
+          .X_LC = ForwardAlongY(camera.X_LS),
+          .horizontal_fov = camera.horizontal_fov,
+          .width = camera.width,
+          .height = camera.height};
+}
+
+void ReadChassis(const SdfModel& sdf, RobotModel& model) {
+  const CustomElement* chassis = FindElement(sdf.customs, "chassis");
+  if (chassis == nullptr) {
+    FailAt(model.file, sdf.line, fmt::format("model {} needs <eod:chassis>", sdf.name));
+  }
+  chassis->AllowAttributes(
+      {"creep_mps", "low_mps", "high_mps", "turn_deg_per_s", "step_up_m", "fall_search_m"});
+  model.drive_speed = {chassis->Number("creep_mps", 0.01, 5), chassis->Number("low_mps", 0.01, 5),
+                       chassis->Number("high_mps", 0.01, 5)};
+  model.turn_rate = chassis->Number("turn_deg_per_s", 1, 360) * std::numbers::pi / 180;
+  model.step_up_limit = chassis->Number("step_up_m", 0.01, 2);
+  model.fall_search = chassis->Number("fall_search_m", 0.1, 100);
+}
+
+void ReadLinkContents(const SdfLink& link, int index, RobotModel& model) {
+  AllowElements(link.customs, {"isector"}, "link " + link.name);
+  for (const CustomElement& custom : link.customs) {
+    if (FindIsector(model, custom.Text("name")) >= 0) {
+      custom.Fail(fmt::format("second isector {}", custom.Text("name")));
+    }
+    model.isectors.push_back(ReadIsector(custom, index, model));
+  }
+  for (const SdfCamera& camera : link.cameras) {
+    model.cameras.push_back(ToCameraSpec(camera, index, model.file));
+  }
+  for (const SdfVisual& visual : link.visuals) {
+    model.visuals.push_back({.link = index, .visual = visual.visual});
+  }
+}
+
+void RequireTripod(const SdfModel& sdf, const RobotModel& model) {
+  const auto tripods = std::count_if(
+      model.isectors.begin(), model.isectors.end(),
+      [](const IsectorSpec& isector) { return isector.method == IsectorMethod::kTripod; });
+  if (tripods != 1) {
+    FailAt(model.file, sdf.line,
+           fmt::format("model {}: {} isectors of method tripod, needs one", sdf.name, tripods));
+  }
+}
+
+void RequireCameras(const SdfModel& sdf, const RobotModel& model) {
+  for (const char* name : {"drive", "gripper", "mast", "rear"}) {
+    const bool given = std::any_of(model.cameras.begin(), model.cameras.end(),
+                                   [name](const CameraSpec& camera) { return camera.name == name; });
+    if (!given) {
+      FailAt(model.file, sdf.line, fmt::format("model {}: camera {} is missing", sdf.name, name));
+    }
+  }
+}
+
+}  // namespace
+
+RobotModel LoadRobot(const std::filesystem::path& file) {
+  const SdfModel sdf = ReadSdfModel(file);
+  AllowElements(sdf.customs, {"chassis"}, "model " + sdf.name);
+  RobotModel model;
+  model.file = file;
+  model.name = sdf.name;
+  ReadChassis(sdf, model);
+  LinkTree tree = ReadLinks(sdf, file);
+  model.links = std::move(tree.links);
+  model.joints = ReadJoints(sdf, file, model.links);
+  for (size_t i = 0; i < model.links.size(); ++i) {
+    ReadLinkContents(sdf.links[static_cast<size_t>(tree.order[i])], static_cast<int>(i), model);
+  }
+  RequireTripod(sdf, model);
+  RequireCameras(sdf, model);
+  return model;
+}
+
+}  // namespace eod::sim

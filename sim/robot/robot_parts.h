@@ -1,0 +1,27 @@
+#pragma once
+
+#include "sim/robot/robot_model.h"
+#include "sim/sdf/sdf_file.h"
+
+namespace eod::sim {
+
+/// The steps of LoadRobot; private to this folder. All throw "FILE:LINE: …".
+
+/// Links in an order in which parents come first, and how they hang together.
+/// `order[i]` is the index in sdf.links of links[i].
+struct LinkTree {
+  std::vector<LinkSpec> links;
+  std::vector<int> order;
+};
+LinkTree ReadLinks(const SdfModel& sdf, const std::filesystem::path& file);
+
+/// The nine joints, with their motions; sets LinkSpec::joint, scale and hand of the links they move.
+std::array<JointSpec, kJointCount> ReadJoints(const SdfModel& sdf,
+                                              const std::filesystem::path& file,
+                                              std::vector<LinkSpec>& links);
+
+/// An `<eod:isector>` of link `link`. Lines of TRIPOD and of height isectors reach from
+/// `model.step_up_limit` above to `model.fall_search` below.
+IsectorSpec ReadIsector(const CustomElement& element, int link, const RobotModel& model);
+
+}  // namespace eod::sim

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "sim/robot/robot_model.h"
+#include "sim/sdf/custom_element.h"
+
+namespace eod::sim {
+
+/// The words of robot files. All throw "FILE:LINE: …" with what is allowed.
+
+/// "M05" in `attribute` is kFrontFlipperUp.
+int MotionOf(const CustomElement& element, const std::string& attribute);
+
+/// "M01 M03", "all", or "always" (cast even while nothing is commanded).
+MotionSet MotionsOf(const CustomElement& element, const std::string& attribute);
+
+/// "front_left_wheel" .. "held_bomb".
+Part PartOf(const CustomElement& element, const std::string& attribute);
+
+/// "volume" .. "bump".
+IsectorMethod MethodOf(const CustomElement& element, const std::string& attribute);
+
+}  // namespace eod::sim

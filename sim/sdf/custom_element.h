@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <initializer_list>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+namespace eod::sim {
+
+/// Throws std::runtime_error "FILE:LINE: TEXT"; without a line if it is 0.
+[[noreturn]] void FailAt(const std::filesystem::path& file, int line, const std::string& text);
+
+/// An element of our own in an SDFormat file: `<eod:NAME attribute="…">`, which other tools pass over.
+/// What SDFormat has no word for (isectors, modules, proxies) is said with them.
+struct CustomElement {
+  std::filesystem::path file;
+  int line = 0;
+  std::string name;  ///< without the prefix
+  std::map<std::string, std::string> attributes;
+  std::vector<CustomElement> children;
+
+  bool Has(const std::string& attribute) const { return attributes.contains(attribute); }
+  /// The getters throw std::runtime_error "FILE:LINE: …" if the attribute is missing or bad.
+  const std::string& Text(const std::string& attribute) const;
+  double Number(const std::string& attribute, double lowest, double highest) const;
+  int Integer(const std::string& attribute, int lowest, int highest) const;
+  Eigen::Vector3d Vector(const std::string& attribute) const;
+  /// Six numbers as in an SDFormat pose: x y z [m], roll pitch yaw about fixed X Y Z [deg].
+  Eigen::Isometry3d Pose(const std::string& attribute) const;
+
+  /// Throws unless every attribute is one of `allowed`, and `children` are only where allowed.
+  void AllowAttributes(std::initializer_list<std::string_view> allowed) const;
+  [[noreturn]] void Fail(const std::string& text) const { FailAt(file, line, text); }
+};
+
+/// Throws "FILE:LINE: …" for the first element whose name is not in `allowed`; `where` names the owner.
+void AllowElements(const std::vector<CustomElement>& elements,
+                   std::initializer_list<std::string_view> allowed, std::string_view where);
+
+/// The only element of this name, or nullptr. Throws if there are two.
+const CustomElement* FindElement(const std::vector<CustomElement>& elements, std::string_view name);
+
+}  // namespace eod::sim

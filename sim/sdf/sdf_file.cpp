@@ -1,0 +1,104 @@
+#include "sim/sdf/sdf_file.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <sdf/Console.hh>
+#include <sdf/Frame.hh>
+#include <sdf/Light.hh>
+#include <sdf/Root.hh>
+#include <sdf/Scene.hh>
+#include <sdf/World.hh>
+
+#include "sim/sdf/sdf_parts.h"
+#include "sim/sdf/sdf_text.h"
+
+namespace eod::sim {
+
+namespace {
+
+/// One line of text, without the line breaks that some messages of libsdformat end with.
+std::string OneLine(std::string text) {
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text;
+}
+
+/// Line of an error: as libsdformat says, or where the first [name] of its message stands.
+int LineOfError(const sdf::Error& error, const std::string& text) {
+  if (error.LineNumber()) return *error.LineNumber();
+  const std::string message = error.Message();
+  const size_t begin = message.find('[');
+  const size_t end = message.find(']', begin);
+  if (begin == std::string::npos || end == std::string::npos) return 0;
+  return LineOfWord(text, message.substr(begin + 1, end - begin - 1));
+}
+
+sdf::Root Load(const std::filesystem::path& file) {
+  const std::string text = ReadNumberedSdf(file);
+  sdf::Console::Instance()->SetQuiet(true);  // errors come back as values
+  sdf::ParserConfig config;
+  config.SetWarningsPolicy(sdf::EnforcementPolicy::ERR);
+  config.SetUnrecognizedElementsPolicy(sdf::EnforcementPolicy::ERR);
+  sdf::Root root;
+  const sdf::Errors errors = root.LoadSdfString(text, config);
+  if (errors.empty()) return root;
+  const int line = LineOfError(errors.front(), text);
+  std::string message = OneLine(errors.front().Message());
+  if (message.starts_with("Error reading")) message += ": " + LineOfText(text, line);
+  FailAt(file, line, message);
+}
+
+void ReadAir(const sdf::World& world, SdfWorld& result) {
+  for (uint64_t i = 0; i < world.LightCount() && !result.sun; ++i) {
+    const sdf::Light& light = *world.LightByIndex(i);
+    if (light.Type() != sdf::LightType::DIRECTIONAL) continue;
+    const auto direction = light.Direction().Normalized();
+    result.sun = SdfSun{.direction = Eigen::Vector3d(direction.X(), direction.Y(), direction.Z())
+                                         .cast<float>(),
+                        .colour = ToColour(light.Diffuse())};
+  }
+  const sdf::Scene* scene = world.Scene();
+  if (scene == nullptr || !scene->Element()) return;
+  result.background = ToColour(scene->Background());
+  if (!scene->Element()->HasElement("fog")) return;
+  const sdf::ElementPtr fog = scene->Element()->GetElement("fog");
+  result.fog = SdfFog{.colour = ToColour(fog->Get<ignition::math::Color>("color")),
+                      .density = static_cast<float>(fog->Get<double>("density"))};
+}
+
+}  // namespace
+
+SdfModel ReadSdfModel(const std::filesystem::path& file) {
+  const sdf::Root root = Load(file);
+  if (root.Model() == nullptr) FailAt(file, 1, "holds no <model>");
+  return ToModel(*root.Model(), file);
+}
+
+SdfWorld ReadSdfWorld(const std::filesystem::path& file) {
+  const sdf::Root root = Load(file);
+  if (root.WorldCount() != 1) {
+    FailAt(file, 1, fmt::format("holds {} <world>, needs one", root.WorldCount()));
+  }
+  const sdf::World& world = *root.WorldByIndex(0);
+  SdfWorld result{.name = world.Name(),
+                  .line = LineOf(world.Element()),
+                  .frames = {},
+                  .models = {},
+                  .sun = {},
+                  .background = {},
+                  .fog = {},
+                  .customs = CustomsOf(world.Element(), file)};
+  for (uint64_t i = 0; i < world.FrameCount(); ++i) {
+    const sdf::Frame& frame = *world.FrameByIndex(i);
+    result.frames.push_back(
+        {frame.Name(), Resolve(frame.SemanticPose(), "world", frame.Element(), file)});
+  }
+  for (uint64_t i = 0; i < world.ModelCount(); ++i) {
+    result.models.push_back(ToModel(*world.ModelByIndex(i), file));
+  }
+  ReadAir(world, result);
+  return result;
+}
+
+}  // namespace eod::sim
