@@ -41,8 +41,8 @@ struct CameraConfig {
   bool draw_isectors = false;
 };
 
-/// One compressed picture. At most 65,000 bytes, so that it fits one LCM datagram: quality is lowered
-/// for a picture that does not.
+/// One compressed picture. At most 65,000 bytes, so that it fits one LCM datagram: quality is
+/// lowered for a picture that does not.
 struct Picture {
   std::string_view camera;
   TimePoint time{};  ///< of the step that is shown
@@ -57,15 +57,15 @@ class CameraThread {
   /// Called on the camera's thread. Must not throw.
   using PictureSink = std::function<void(const Picture&)>;
 
-  /// Throws std::runtime_error with one line if OSMesa gives no OpenGL 3.3 context or a camera is not
-  /// in the robot file. `robot` and `world` must outlive the thread.
+  /// Throws std::runtime_error with one line if OSMesa gives no OpenGL 3.3 context or a camera is
+  /// not in the robot file. `robot` and `world` must outlive the thread.
   CameraThread(const RobotModel& robot, const WorldModel& world, CameraConfig config,
                PictureSink sink);
   /// Ends the thread and waits for it.
   ~CameraThread();
 
-  /// Hands over the newest snapshot; the one before, if not rendered yet, is forgotten. Never blocks
-  /// for longer than a copy.
+  /// Hands over the newest snapshot; the one before, if not rendered yet, is forgotten. Never
+  /// blocks for longer than a copy.
   void Show(const SceneSnapshot& snapshot);
 
   uint64_t pictures() const;

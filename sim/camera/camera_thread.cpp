@@ -1,0 +1,184 @@
+#include "sim/camera/camera_thread.h"
+
+#include <algorithm>
+#include <atomic>
+#include <condition_variable>
+#include <cstdlib>
+#include <exception>
+#include <future>
+#include <mutex>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+#include <fmt/format.h>
+#include <pthread.h>
+#include <sys/resource.h>
+
+#include "sim/camera/gl_context.h"
+#include "sim/camera/jpeg_encoder.h"
+#include "sim/camera/picture_schedule.h"
+#include "sim/camera/scene_renderer.h"
+
+namespace eod::sim {
+namespace {
+
+/// One camera on its way from scene to JPEG. Lives on the camera's thread.
+struct Eye {
+  CameraSpec spec;
+  RenderTarget target;
+  JpegEncoder encoder;
+};
+
+void CheckConfig(const RobotModel& robot, const CameraConfig& config) {
+  for (const std::string& name : config.cameras) FindCamera(robot, name);
+  const auto check = [](const char* what, double value, double low, double high) {
+    if (value < low || value > high) {
+      throw std::runtime_error(
+          fmt::format("cameras: {} = {}, allowed {}..{}", what, value, low, high));
+    }
+  };
+  check("width", config.width, 64, 1920);
+  check("height", config.height, 48, 1080);
+  check("rate_hz", config.rate_hz, 1, 60);
+  check("jpeg_quality", config.jpeg_quality, 1, 100);
+}
+
+/// The step must find the processor free: pictures come second.
+void YieldToTheStep() {
+  pthread_setname_np(pthread_self(), "eod-camera");
+  setpriority(PRIO_PROCESS, 0, 5);  // on Linux: of this thread alone
+}
+
+}  // namespace
+
+class CameraThread::Worker {
+ public:
+  Worker(const RobotModel& robot, const WorldModel& world, CameraConfig config, PictureSink sink)
+      : robot_(robot),
+        world_(world),
+        config_(std::move(config)),
+        sink_(std::move(sink)),
+        schedule_(config_.cameras.size(), config_.rate_hz) {
+    std::promise<void> started;
+    std::future<void> outcome = started.get_future();
+    thread_ = std::thread([this, &started] { Run(started); });
+    try {
+      outcome.get();
+    } catch (...) {
+      thread_.join();
+      throw;
+    }
+  }
+
+  ~Worker() {
+    {
+      const std::lock_guard lock(mutex_);
+      stopping_ = true;
+    }
+    wake_.notify_one();
+    thread_.join();
+  }
+
+  void Show(const SceneSnapshot& snapshot) {
+    {
+      const std::lock_guard lock(mutex_);
+      newest_ = snapshot;
+      is_new_ = true;
+    }
+    wake_.notify_one();
+  }
+
+  uint64_t pictures() const { return pictures_.load(std::memory_order_relaxed); }
+
+ private:
+  void Run(std::promise<void>& started) {
+    try {
+      YieldToTheStep();
+      // Everything of OpenGL is made, used and destroyed on this thread.
+      const std::unique_ptr<GlContext> context = MakeOsMesaContext();
+      SceneRenderer renderer(context->gl(), robot_, world_);
+      std::vector<Eye> eyes = OpenEyes(context->gl());
+      started.set_value();
+      Loop(renderer, eyes);
+    } catch (...) {
+      started.set_exception(std::current_exception());
+    }
+  }
+
+  std::vector<Eye> OpenEyes(const GlFunctions& gl) const {
+    std::vector<Eye> eyes;
+    for (const std::string& name : config_.cameras) {
+      eyes.push_back(Eye{FindCamera(robot_, name), RenderTarget(gl, config_.width, config_.height),
+                         JpegEncoder(config_.width, config_.height, config_.jpeg_quality)});
+    }
+    return eyes;
+  }
+
+  void Loop(SceneRenderer& renderer, std::vector<Eye>& eyes) {
+    SceneSnapshot snapshot;
+    std::vector<uint8_t> pixels;
+    while (TakeNewest(snapshot)) {
+      bool is_prepared = false;
+      while (const std::optional<size_t> due = schedule_.Due(snapshot.time)) {
+        if (!is_prepared) renderer.Prepare(snapshot);
+        is_prepared = true;
+        Eye& eye = eyes[*due];
+        renderer.Draw(eye.spec, eye.target);
+        eye.target.Read(pixels);
+        const std::span<const uint8_t> jpeg = eye.encoder.Encode(pixels);
+        schedule_.Drawn(*due, snapshot.time);
+        if (jpeg.empty()) continue;
+        pictures_.fetch_add(1, std::memory_order_relaxed);
+        sink_({eye.spec.name, snapshot.time, config_.width, config_.height, jpeg});
+        // The next camera shows what is newest by now.
+        if (HasNewer()) break;
+      }
+    }
+  }
+
+  /// Waits for a snapshot; false when the thread is to end.
+  bool TakeNewest(SceneSnapshot& snapshot) {
+    std::unique_lock lock(mutex_);
+    wake_.wait(lock, [this] { return is_new_ || stopping_; });
+    if (stopping_) return false;
+    std::swap(snapshot, newest_);
+    is_new_ = false;
+    return true;
+  }
+
+  bool HasNewer() {
+    const std::lock_guard lock(mutex_);
+    return is_new_ || stopping_;
+  }
+
+  const RobotModel& robot_;
+  const WorldModel& world_;
+  const CameraConfig config_;
+  const PictureSink sink_;
+  PictureSchedule schedule_;
+  std::atomic<uint64_t> pictures_{0};
+
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  SceneSnapshot newest_;  // guarded by mutex_, as are the two below
+  bool is_new_ = false;
+  bool stopping_ = false;
+  std::thread thread_;
+};
+
+CameraThread::CameraThread(const RobotModel& robot, const WorldModel& world, CameraConfig config,
+                           PictureSink sink) {
+  CheckConfig(robot, config);
+  // One thread for the pixels: the simulator needs the other core. Mesa reads this once a process.
+  setenv("LP_NUM_THREADS", "1", 0);
+  worker_ = std::make_unique<Worker>(robot, world, std::move(config), std::move(sink));
+}
+
+CameraThread::~CameraThread() = default;
+
+void CameraThread::Show(const SceneSnapshot& snapshot) { worker_->Show(snapshot); }
+
+uint64_t CameraThread::pictures() const { return worker_->pictures(); }
+
+}  // namespace eod::sim

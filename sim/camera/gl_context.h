@@ -1,0 +1,22 @@
+#pragma once
+
+#include <memory>
+
+#include "sim/camera/gl_functions.h"
+
+namespace eod::sim {
+
+/// An off-screen OpenGL 3.3 core context: the seam between the cameras and the system's OpenGL.
+/// It is current on the thread that made it, and must be used and destroyed there.
+class GlContext {
+ public:
+  virtual ~GlContext() = default;
+  virtual const GlFunctions& gl() const = 0;
+};
+
+/// Context in plain memory, rendered by the CPU (Mesa's llvmpipe). Everything is drawn into
+/// framebuffer objects; its own buffer is a dummy. Throws std::runtime_error with one line if
+/// OSMesa gives no OpenGL 3.3.
+std::unique_ptr<GlContext> MakeOsMesaContext();
+
+}  // namespace eod::sim

@@ -1,0 +1,32 @@
+#include "sim/camera/picture_schedule.h"
+
+#include <algorithm>
+
+namespace eod::sim {
+
+PictureSchedule::PictureSchedule(size_t cameras, double rate_hz)
+    : period_(static_cast<Duration::rep>(1e9 / rate_hz)), due_(cameras) {}
+
+std::optional<size_t> PictureSchedule::Due(TimePoint now) const {
+  std::optional<size_t> longest;
+  for (size_t camera = 0; camera < due_.size(); ++camera) {
+    // Time that jumped back (a new run) must not silence a camera.
+    const bool is_due = !due_[camera] || *due_[camera] <= now || *due_[camera] > now + 2 * period_;
+    if (is_due && (!longest || due_[camera] < due_[*longest])) longest = camera;
+  }
+  return longest;
+}
+
+void PictureSchedule::Drawn(size_t camera, TimePoint now) {
+  std::optional<TimePoint>& due = due_.at(camera);
+  const Duration count = period_ * static_cast<Duration::rep>(camera);
+  if (!due) {
+    // From the second picture on the cameras take turns within a period.
+    due = now + period_ + count / static_cast<Duration::rep>(due_.size());
+    return;
+  }
+  const bool in_step = *due <= now && now < *due + period_;
+  due = in_step ? *due + period_ : now + period_;
+}
+
+}  // namespace eod::sim

@@ -1,0 +1,224 @@
+#include "sim/camera/scene_renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "sim/camera/isector_overlay.h"
+#include "sim/camera/shaders.h"
+#include "sim/camera/surface_textures.h"
+
+namespace eod::sim {
+namespace {
+
+constexpr double kShadowHalfSide = 15;  // [m]
+constexpr double kShadowAhead = 7;  // [m] its middle lies before the robot: that way cameras look
+constexpr int kGrass = 1;           // in kSurfaceTextures
+
+/// Meadow around the module, out to where fog hides it: rings around the camera's own place.
+SurfaceMesh MakeSurroundings() {
+  constexpr std::array kRadii{40.0, 200.0, 2500.0};
+  constexpr int kSides = 16;
+  Visual meadow;
+  meadow.shape = Visual::Shape::kMesh;
+  meadow.material.diffuse = Eigen::Vector3f::Ones();
+  const auto rim = [](double radius, int side) {
+    const double angle = 2 * std::numbers::pi * side / kSides;
+    return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), 0)
+        .cast<float>()
+        .eval();
+  };
+  double inner = 0;
+  for (const double outer : kRadii) {
+    for (int side = 0; side < kSides; ++side) {
+      const std::array corners{rim(inner, side), rim(outer, side), rim(outer, side + 1),
+                               rim(inner, side + 1)};
+      for (const size_t corner : {0, 1, 2, 0, 2, 3}) meadow.triangles.push_back(corners[corner]);
+    }
+    inner = outer;
+  }
+  SurfaceMesh mesh;
+  AppendVisual(meadow, Eigen::Isometry3d::Identity(), 0, 0, mesh);
+  return mesh;
+}
+constexpr GLsizei kSurroundingsIndices = 16 * 3 * (1 + 2 + 2);
+
+std::vector<GlObject> UploadSurfaces(const GlFunctions& gl) {
+  std::vector<GlObject> surfaces;
+  for (size_t i = 0; i < kSurfaceTextures.size(); ++i) {
+    surfaces.push_back(UploadSurface(gl, PaintSurfaceTexture(static_cast<int>(i))));
+  }
+  return surfaces;
+}
+
+}  // namespace
+
+const CameraSpec& FindCamera(const RobotModel& robot, const std::string& name) {
+  const auto found = std::find_if(robot.cameras.begin(), robot.cameras.end(),
+                                  [&](const CameraSpec& camera) { return camera.name == name; });
+  if (found != robot.cameras.end()) return *found;
+  std::vector<std::string> names;
+  for (const CameraSpec& camera : robot.cameras) names.push_back(camera.name);
+  throw std::runtime_error(fmt::format("{}: no camera \"{}\"; there are: {}", robot.file.string(),
+                                       name, fmt::join(names, ", ")));
+}
+
+SceneRenderer::SceneRenderer(const GlFunctions& gl, const RobotModel& robot,
+                             const WorldModel& world)
+    : gl_(gl),
+      robot_(robot),
+      world_(world),
+      surfaces_(UploadSurfaces(gl)),
+      variation_(UploadSurface(gl, PaintGroundVariation())),
+      shadow_map_(gl),
+      shadow_program_(gl),
+      textured_(gl, SurfaceProgram::Kind::kTextured, world.atmosphere),
+      ground_(gl, SurfaceProgram::Kind::kGround, world.atmosphere),
+      sky_(gl, world.atmosphere),
+      robot_list_(BuildRobotDrawList(robot)),
+      robot_mesh_(gl, robot_list_.mesh),
+      surroundings_(gl, MakeSurroundings()),
+      overlay_program_(MakeProgram(gl, "overlay", kOverlayVertexShader, kOverlayFragmentShader)),
+      overlay_(gl) {
+  if (robot.links.size() + 1 > kMaxBones) {
+    throw std::runtime_error(fmt::format("{}: {} links, cameras can show {}", robot.file.string(),
+                                         robot.links.size(), kMaxBones - 1));
+  }
+  bones_.resize(3 * (robot.links.size() + 1));
+  gl.Enable(GL_CULL_FACE);
+  gl.Enable(GL_DEPTH_TEST);
+}
+
+void SceneRenderer::LoadModule(int module) {
+  module_.reset();
+  module_id_ = module;
+  const auto found = std::find_if(world_.modules.begin(), world_.modules.end(),
+                                  [&](const ModuleModel& model) { return model.id == module; });
+  if (found == world_.modules.end()) return;
+  DrawList list = BuildWorldDrawList(*found);
+  GpuMesh mesh(gl_, list.mesh);
+  // Only the ranges are needed from here on.
+  list.mesh = {};
+  module_ = std::make_unique<ModuleScene>(ModuleScene{std::move(list), std::move(mesh)});
+}
+
+void SceneRenderer::Prepare(const SceneSnapshot& snapshot) {
+  snapshot_ = snapshot;
+  if (snapshot.module != module_id_) LoadModule(snapshot.module);
+  LinkPoses(robot_, snapshot.state, X_ML_);
+  SetBone(Eigen::Isometry3d::Identity(), 0, bones_);
+  for (size_t link = 0; link < X_ML_.size(); ++link) SetBone(X_ML_[link], link + 1, bones_);
+  DrawShadow();
+}
+
+void SceneRenderer::DrawShadow() {
+  const Eigen::Matrix3d R_MB = ToRotation(snapshot_.state.attitude);
+  sun_ = MakeSunView(world_.atmosphere.sun_direction.cast<double>(),
+                     snapshot_.state.position + kShadowAhead * R_MB.col(1), kShadowHalfSide,
+                     ShadowMap::kSide);
+  counters_ = {};
+  shadow_map_.Bind();
+  gl_.Clear(GL_DEPTH_BUFFER_BIT);
+  gl_.Enable(GL_POLYGON_OFFSET_FILL);
+  gl_.PolygonOffset(1.5F, 4.0F);
+  shadow_program_.Use(sun_, bones_);
+  robot_mesh_.Bind();
+  for (const DrawRange& range : robot_list_.ranges) DrawRun(range);
+  if (module_ != nullptr) {
+    const Frustum lit(sun_);
+    module_->mesh.Bind();
+    for (const DrawRange& range : module_->list.ranges) {
+      if (range.casts_shadow && lit.MaySee(range.bounds)) DrawRun(range);
+    }
+  }
+  gl_.Disable(GL_POLYGON_OFFSET_FILL);
+  shadow_counters_ = counters_;
+}
+
+DrawCounters SceneRenderer::Draw(const CameraSpec& camera, const RenderTarget& target) {
+  const Lens lens{.horizontal_fov = camera.horizontal_fov,
+                  .aspect = static_cast<double>(target.width()) / target.height()};
+  const View view = MakeCameraView(X_ML_.at(static_cast<size_t>(camera.link)) * camera.X_LC, lens);
+  counters_ = shadow_counters_;
+  target.Bind();
+  gl_.Clear(GL_DEPTH_BUFFER_BIT);
+  gl_.ActiveTexture(SurfaceProgram::kVariationUnit);
+  gl_.BindTexture(GL_TEXTURE_2D, variation_.id());
+  gl_.ActiveTexture(SurfaceProgram::kShadowUnit);
+  gl_.BindTexture(GL_TEXTURE_2D, shadow_map_.texture());
+
+  // Near things first: what they hide is not shaded.
+  textured_.Use(view, sun_);
+  textured_.SetBones(bones_);
+  robot_mesh_.Bind();
+  for (const DrawRange& range : robot_list_.ranges) {
+    BindSurface(range.texture);
+    DrawRun(range);
+  }
+  DrawWorld(view, false);
+  ground_.Use(view, sun_);
+  ground_.SetBones(bones_);
+  DrawWorld(view, true);
+  DrawSurroundings(view);
+  counters_.triangles += sky_.Draw(view);
+  ++counters_.draw_calls;
+  DrawIsectors(view, target);
+  return counters_;
+}
+
+void SceneRenderer::DrawWorld(const View& view, bool ground) {
+  if (module_ == nullptr) return;
+  const Frustum frustum(view);
+  module_->mesh.Bind();
+  for (const DrawRange& range : module_->list.ranges) {
+    if ((range.texture == kGrass) != ground || !frustum.MaySee(range.bounds)) continue;
+    BindSurface(range.texture);
+    DrawRun(range);
+  }
+}
+
+void SceneRenderer::DrawSurroundings(const View& view) {
+  BonePalette here(3);
+  SetBone(Eigen::Isometry3d(Eigen::Translation3d(view.eye_M.x(), view.eye_M.y(), 0)), 0, here);
+  ground_.SetBones(here);
+  // Farther than all of the module, so that its ground hides the meadow beneath at any distance.
+  gl_.DepthRange(0.99999, 1.0);
+  BindSurface(kGrass);
+  surroundings_.Bind();
+  gl_.DrawElements(GL_TRIANGLES, kSurroundingsIndices, GL_UNSIGNED_INT, nullptr);
+  gl_.DepthRange(0.0, 1.0);
+  ++counters_.draw_calls;
+  counters_.triangles += kSurroundingsIndices / 3;
+}
+
+void SceneRenderer::DrawIsectors(const View& view, const RenderTarget& target) {
+  overlay_triangles_.clear();
+  AppendSegments(snapshot_.segments, view, target.width(), target.height(), overlay_triangles_);
+  if (overlay_triangles_.empty()) return;
+  gl_.UseProgram(overlay_program_.id());
+  gl_.Disable(GL_DEPTH_TEST);
+  gl_.Disable(GL_CULL_FACE);
+  overlay_.Draw(overlay_triangles_);
+  gl_.Enable(GL_CULL_FACE);
+  gl_.Enable(GL_DEPTH_TEST);
+  ++counters_.draw_calls;
+  counters_.triangles += static_cast<int>(overlay_triangles_.size() / 3);
+}
+
+void SceneRenderer::DrawRun(const DrawRange& range) {
+  gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.count), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(range.first * sizeof(uint32_t)));
+  ++counters_.draw_calls;
+  counters_.triangles += static_cast<int>(range.count / 3);
+}
+
+void SceneRenderer::BindSurface(int texture) {
+  gl_.ActiveTexture(SurfaceProgram::kTextureUnit);
+  gl_.BindTexture(GL_TEXTURE_2D, surfaces_.at(static_cast<size_t>(texture)).id());
+}
+
+}  // namespace eod::sim

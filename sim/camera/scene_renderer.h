@@ -1,0 +1,80 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "sim/camera/camera_thread.h"
+#include "sim/camera/draw_list.h"
+#include "sim/camera/gpu_mesh.h"
+#include "sim/camera/render_target.h"
+#include "sim/camera/sky_dome.h"
+#include "sim/camera/surface_program.h"
+#include "sim/camera/view.h"
+
+namespace eod::sim {
+
+/// Work of one picture, its share of the shadow map counted in.
+struct DrawCounters {
+  int triangles = 0;
+  int draw_calls = 0;
+};
+
+/// The camera of that name. Throws std::runtime_error that names the cameras there are.
+const CameraSpec& FindCamera(const RobotModel& robot, const std::string& name);
+
+/// Draws the robot in its module. Use: `Prepare` once a snapshot, then `Draw` for each camera.
+class SceneRenderer {
+ public:
+  /// Throws std::runtime_error with one line: an unknown texture, too many links.
+  SceneRenderer(const GlFunctions& gl, const RobotModel& robot, const WorldModel& world);
+
+  /// Poses the robot and renders the sun's shadow around it. The first call for a module uploads
+  /// that module. An unknown module shows sky and grass only.
+  void Prepare(const SceneSnapshot& snapshot);
+
+  /// Draws the prepared snapshot as `camera` sees it.
+  DrawCounters Draw(const CameraSpec& camera, const RenderTarget& target);
+
+ private:
+  struct ModuleScene {
+    DrawList list;
+    GpuMesh mesh;
+  };
+
+  void LoadModule(int module);
+  void DrawShadow();
+  void DrawWorld(const View& view, bool ground);
+  void DrawSurroundings(const View& view);
+  void DrawIsectors(const View& view, const RenderTarget& target);
+  void DrawRun(const DrawRange& range);
+  void BindSurface(int texture);
+
+  const GlFunctions& gl_;
+  const RobotModel& robot_;
+  const WorldModel& world_;
+  std::vector<GlObject> surfaces_;
+  GlObject variation_;
+  ShadowMap shadow_map_;
+  ShadowProgram shadow_program_;
+  SurfaceProgram textured_;
+  SurfaceProgram ground_;
+  SkyDome sky_;
+  DrawList robot_list_;
+  GpuMesh robot_mesh_;
+  GpuMesh surroundings_;
+  GlObject overlay_program_;
+  ColourTriangles overlay_;
+  std::unique_ptr<ModuleScene> module_;
+  int module_id_ = 0;
+
+  SceneSnapshot snapshot_;
+  std::vector<Eigen::Isometry3d> X_ML_;
+  BonePalette bones_;
+  View sun_;
+  std::vector<ColourVertex> overlay_triangles_;
+  DrawCounters counters_;
+  DrawCounters shadow_counters_;
+};
+
+}  // namespace eod::sim

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string_view>
+
+namespace eod::sim {
+
+/// GLSL 3.30 sources, without the #version line. Colours are worked on linearly; textures and the
+/// picture hold their square root.
+extern const std::string_view kSurfaceVertexShader;
+/// With GROUND defined: texture by position in the module at two scales, so that no tile is seen.
+extern const std::string_view kSurfaceFragmentShader;
+extern const std::string_view kShadowVertexShader;
+extern const std::string_view kShadowFragmentShader;
+extern const std::string_view kSkyVertexShader;
+extern const std::string_view kSkyFragmentShader;
+extern const std::string_view kOverlayVertexShader;
+extern const std::string_view kOverlayFragmentShader;
+
+}  // namespace eod::sim

@@ -1,0 +1,125 @@
+#include "sim/camera/sky_panorama.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sim/camera/noise.h"
+
+namespace eod::sim {
+namespace {
+
+using Colour = Eigen::Vector3f;
+
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kLowest = -3.0F * kPi / 180.0F;
+constexpr float kHighest = 90.0F * kPi / 180.0F;
+
+float SmoothStep(float low, float high, float value) {
+  const float t = std::clamp((value - low) / (high - low), 0.0F, 1.0F);
+  return t * t * (3.0F - 2.0F * t);
+}
+
+Colour Mix(const Colour& a, const Colour& b, float share) { return a + (b - a) * share; }
+
+/// Clouds lie on a plane high above: thickness there, 0..1, and how much sunlight is on them.
+struct Cloud {
+  float cover;
+  float light;
+};
+
+float CloudDensity(float x, float y) {
+  const float shape = TilingFbm(x * 0.55F, y * 0.55F, 64, 6, 201);
+  const float field = TilingFbm(x * 0.13F + 7.0F, y * 0.13F, 64, 2, 202);
+  return shape + 0.45F * (field - 0.5F);
+}
+
+Cloud CloudAt(const Colour& direction, const Colour& sun) {
+  // The plane bends down with the distance, else clouds shrink to lines at the horizon.
+  const float scale = 1.7F / (direction.z() + 0.16F);
+  const float x = direction.x() * scale;
+  const float y = direction.y() * scale;
+  const float density = CloudDensity(x, y);
+  const float sunward = CloudDensity(x + 0.16F * sun.x(), y + 0.16F * sun.y());
+  return {SmoothStep(0.50F, 0.72F, density),
+          std::clamp(0.78F + 1.6F * (density - sunward) - 0.55F * (density - 0.55F), 0.0F, 1.0F)};
+}
+
+/// Height of a ridge line above the horizon [rad] along the circle, u 0..1.
+float Ridge(float u, int period, float low, float high, uint32_t seed) {
+  const float scale = static_cast<float>(period);
+  const float level = TilingFbm(u * scale, 0.5F, period, 6, seed);
+  return (low + (high - low) * level) * kPi / 180.0F;
+}
+
+/// Tops of trees: round crowns and spires of several sizes on a slow swell.
+float TreeTop(float u) {
+  const float swell = TilingNoise(u * 24.0F, 0.5F, 24, 301);
+  const float crown = TilingNoise(u * 300.0F, 0.5F, 300, 302);
+  const float twig = TilingNoise(u * 1500.0F, 0.5F, 1500, 303);
+  const float clearing = SmoothStep(0.22F, 0.45F, TilingNoise(u * 11.0F, 0.5F, 11, 304));
+  const float degrees = (0.35F + 1.0F * swell + 0.75F * crown * crown + 0.22F * twig) * clearing;
+  return degrees * kPi / 180.0F;
+}
+
+struct Painter {
+  const Atmosphere& atmosphere;
+  Colour sun;
+  Colour fog;
+  Colour zenith;
+
+  Colour Sky(const Colour& direction) const {
+    const float up = std::max(direction.z(), 0.0F);
+    Colour colour = Mix(fog, zenith, 1.0F - std::exp(-3.2F * up));
+    const Cloud cloud = CloudAt(direction, sun);
+    const Colour white = Mix(Colour(0.58F, 0.62F, 0.68F), Colour(1.0F, 0.99F, 0.97F), cloud.light);
+    const float haze = SmoothStep(0.01F, 0.22F, up);
+    colour = Mix(colour, white, 0.9F * cloud.cover * haze);
+    const float towards = std::max(direction.dot(sun), 0.0F);
+    const Colour glow = atmosphere.sun_colour;
+    colour += glow * (0.16F * std::pow(towards, 12.0F) + 0.35F * std::pow(towards, 160.0F));
+    // Disc of three degrees: a camera's bloom makes it larger than it is.
+    colour = Mix(colour, Colour(1.0F, 0.99F, 0.95F), SmoothStep(0.99935F, 0.9997F, towards));
+    return colour;
+  }
+
+  Colour At(float u, float elevation) const {
+    const float azimuth = 2 * kPi * u;
+    const Colour direction(std::sin(azimuth) * std::cos(elevation),
+                           std::cos(azimuth) * std::cos(elevation), std::sin(elevation));
+    Colour colour = Sky(direction);
+    const auto cover = [&](const Colour& with, float top, float softness) {
+      colour = Mix(colour, with, 1.0F - SmoothStep(top - softness, top + softness, elevation));
+    };
+    const float pixel = 0.0012F;
+    cover(Mix(fog, Colour(0.48F, 0.57F, 0.68F), 0.50F), Ridge(u, 5, 0.2F, 6.4F, 311), pixel);
+    cover(Mix(fog, Colour(0.42F, 0.53F, 0.53F), 0.70F), Ridge(u, 9, -0.6F, 4.2F, 312), pixel);
+    const float leaf = TilingNoise(u * 1800.0F, elevation * 300.0F, 1800, 313);
+    const Colour wood = Colour(0.30F, 0.38F, 0.25F) * (0.85F + 0.3F * leaf);
+    cover(Mix(fog, wood, 0.78F), TreeTop(u), pixel);
+    // Mist at the foot of the trees joins them with the fogged ground.
+    const float mist = 1.0F - SmoothStep(-0.003F, 0.006F, elevation);
+    return Mix(colour, fog, 0.85F * mist);
+  }
+};
+
+}  // namespace
+
+float PanoramaElevation(float v) { return kLowest + (kHighest - kLowest) * v * v; }
+
+float PanoramaRow(float elevation) {
+  return std::sqrt(std::clamp((elevation - kLowest) / (kHighest - kLowest), 0.0F, 1.0F));
+}
+
+Image PaintSkyPanorama(const Atmosphere& atmosphere, int width, int height) {
+  const auto gamma = [](const Eigen::Vector3f& linear) {
+    return Colour(linear.cwiseMax(0.0F).cwiseSqrt());
+  };
+  const Painter painter{atmosphere, atmosphere.sun_direction.normalized(),
+                        gamma(atmosphere.fog_colour), gamma(atmosphere.sky_colour)};
+  Canvas canvas(width, height);
+  canvas.Fill([&](float u, float v) { return painter.At(u, PanoramaElevation(v)); });
+  return canvas.ToImage();
+}
+
+}  // namespace eod::sim

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "sim/geometry/visual.h"
+
+namespace eod::sim {
+
+/// One corner as the vertex shader reads it: 32 bytes.
+struct Vertex {
+  float position[3];   ///< in the frame of its bone
+  int16_t normal[3];   ///< unit vector times 32767
+  uint16_t bone;       ///< index of the pose to apply; 0 for the static world
+  float uv[2];         ///< in texture tiles
+  uint8_t diffuse[3];  ///< square root of the linear colour, times 255
+  uint8_t specular;    ///< 0..255
+};
+static_assert(sizeof(Vertex) == 32);
+
+/// Triangles over shared vertices, counter-clockwise seen from outside.
+struct SurfaceMesh {
+  std::vector<Vertex> vertices;
+  std::vector<uint32_t> indices;
+};
+
+/// Adds the triangles of `visual`, placed by `X_BO` in the frame of bone `bone`. Texture
+/// coordinates run in metres over the surface, divided by the material's tile size. Boxes get a
+/// chamfer of `chamfer` metres where they are large enough: edges that catch light make parts look
+/// made.
+void AppendVisual(const Visual& visual, const Eigen::Isometry3d& X_BO, int bone, double chamfer,
+                  SurfaceMesh& mesh);
+
+}  // namespace eod::sim

@@ -1,0 +1,101 @@
+// Writes one picture of a camera for a given robot state, to be looked at.
+#include <cstdio>
+#include <fstream>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "sim/camera/jpeg_encoder.h"
+#include "tests/unit/camera/fixture_scene.h"
+#include "tests/unit/camera/offline_camera.h"
+
+namespace eod::sim {
+namespace {
+
+struct Options {
+  std::string robot = EOD_DATA_DIR "/sim/robots/eod_robot.sdf";
+  std::string world = EOD_DATA_DIR "/sim/worlds/training_ground.sdf";
+  bool fixture = false;
+  int module = 1;
+  std::string camera = "drive";
+  std::string output = "still.jpg";
+  int width = 640;
+  int height = 480;
+  double x = 0, y = 0, heading_deg = 0;
+  std::vector<double> view;  // x y z heading_deg pitch_deg: a free camera instead of the robot's
+  std::vector<std::string> joints;  // J8=30
+};
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+void SetJoint(const std::string& text, RobotState& state) {
+  const size_t equals = text.find('=');
+  const int joint = std::stoi(text.substr(1, equals - 1)) - 1;
+  const double value = std::stod(text.substr(equals + 1));
+  if (joint == kGripperOpening) state.left_opening = state.right_opening = value;
+  state.joint.at(static_cast<size_t>(joint)) = joint == kGripperOpening ? value : value * kDegree;
+}
+
+/// A camera that hangs on the chassis so that it stands at the wanted place of the module.
+void AddFreeCamera(const std::vector<double>& view, const RobotState& state, RobotModel& robot) {
+  Eigen::Isometry3d X_MB = Eigen::Isometry3d::Identity();
+  X_MB.linear() = ToRotation(state.attitude);
+  X_MB.translation() = state.position;
+  Eigen::Isometry3d X_MC = Eigen::Isometry3d::Identity();
+  X_MC.linear() = ToRotation({view.at(3) * kDegree, view.at(4) * kDegree, 0});
+  X_MC.translation() = Eigen::Vector3d(view.at(0), view.at(1), view.at(2));
+  robot.cameras.push_back({.name = "free", .link = 0, .X_LC = X_MB.inverse() * X_MC});
+}
+
+void Run(const Options& options) {
+  RobotModel robot = options.fixture ? FixtureRobot() : LoadRobot(options.robot);
+  const WorldModel world = options.fixture ? FixtureWorld() : LoadWorld(options.world);
+  SceneSnapshot snapshot;
+  snapshot.module = options.module;
+  snapshot.state = HomeState(robot);
+  snapshot.state.position = {options.x, options.y, 0};
+  snapshot.state.attitude.heading = options.heading_deg * kDegree;
+  for (const std::string& joint : options.joints) SetJoint(joint, snapshot.state);
+  if (!options.view.empty()) AddFreeCamera(options.view, snapshot.state, robot);
+  OfflineCamera camera(robot, world, options.width, options.height);
+  JpegEncoder encoder(options.width, options.height, 90);
+  const auto& pixels =
+      camera.Take(snapshot, options.view.empty() ? options.camera : std::string("free"));
+  const auto jpeg = encoder.Encode(pixels);
+  std::ofstream(options.output, std::ios::binary)
+      .write(reinterpret_cast<const char*>(jpeg.data()), static_cast<std::streamsize>(jpeg.size()));
+  fmt::print("{}: {} bytes, quality {}, {} triangles, {} draw calls\n", options.output, jpeg.size(),
+             encoder.last_quality(), camera.counters().triangles, camera.counters().draw_calls);
+}
+
+}  // namespace
+}  // namespace eod::sim
+
+int main(int argc, char** argv) {
+  eod::sim::Options options;
+  CLI::App app("Writes a picture of a camera for a given robot state");
+  app.add_option("--robot", options.robot);
+  app.add_option("--world", options.world);
+  app.add_flag("--fixture", options.fixture, "robot and world of the tests instead of files");
+  app.add_option("--module", options.module);
+  app.add_option("--camera", options.camera);
+  app.add_option("--output", options.output);
+  app.add_option("--width", options.width);
+  app.add_option("--height", options.height);
+  app.add_option("--x", options.x, "[m]");
+  app.add_option("--y", options.y, "[m]");
+  app.add_option("--heading", options.heading_deg, "[deg] counter-clockwise from +Y");
+  app.add_option("--joint", options.joints, "such as J8=30 [deg] or J7=0.05 [m]");
+  app.add_option("--view", options.view, "free camera: x y z heading_deg pitch_deg")->expected(5);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    eod::sim::Run(options);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 1;
+  }
+  return 0;
+}
