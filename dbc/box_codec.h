@@ -16,10 +16,21 @@
 
 namespace eod::dbc {
 
-/// What a frame is for. The map names the DBC message of each role; several messages may not share one.
+/// What a frame is for. The map names the DBC message of each role; several messages may not share
+/// one.
 enum class BoxMessage : uint8_t { kSafety, kMotion, kAxes, kPanel, kFire, kHeartbeat, kEmergency };
 enum class RobotMessage : uint8_t {
-  kStatus, kAlarm, kJointA, kJointB, kJointC, kPose, kBattery, kMission, kFire, kHeartbeat, kEmergency
+  kStatus,
+  kAlarm,
+  kJointA,
+  kJointB,
+  kJointC,
+  kPose,
+  kBattery,
+  kMission,
+  kFire,
+  kHeartbeat,
+  kEmergency
 };
 inline constexpr int kBoxMessageCount = 7;
 inline constexpr int kRobotMessageCount = 11;
@@ -41,8 +52,8 @@ struct Received {
   std::optional<Role> role;  ///< empty for kUnknownId
 };
 
-/// Translates between frames and the panel or the feedback, by DBC and map. One object per end of the
-/// link and per run: it holds the E2E counters. No allocation after construction.
+/// Translates between frames and the panel or the feedback, by DBC and map. One object per end of
+/// the link and per run: it holds the E2E counters. No allocation after construction.
 class BoxCodec {
  public:
   /// Throws std::runtime_error "FILE:LINE: …" if the map names what the DBC does not have.

@@ -13,10 +13,10 @@ inline constexpr int kE2eCounterCount = 15;  ///< counter runs 0..14; 15 is neve
 
 /// Outcome of one received frame, names as in AUTOSAR.
 enum class E2eStatus : uint8_t {
-  kInitial,     ///< first good frame
-  kOk,          ///< counter advanced by 1
-  kOkSomeLost,  ///< advanced by 2 or 3
-  kRepeated,    ///< counter did not advance: dropped
+  kInitial,        ///< first good frame
+  kOk,             ///< counter advanced by 1
+  kOkSomeLost,     ///< advanced by 2 or 3
+  kRepeated,       ///< counter did not advance: dropped
   kWrongSequence,  ///< advanced by more than 3, or is 15: dropped
   kWrongCrc,       ///< dropped
   kSync,           ///< good, but still counting frames after a wrong sequence: dropped
@@ -28,7 +28,7 @@ constexpr bool IsAccepted(E2eStatus status) {
 }
 
 /// Watches the counter and the CRC verdict of one message. After a wrong sequence it takes three
-/// good frames in a row to trust the message again.
+/// good frames in a row to trust the message again: two are kSync, the third is accepted.
 class E2eChecker {
  public:
   E2eStatus Check(bool crc_ok, int counter);

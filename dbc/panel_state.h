@@ -15,7 +15,14 @@ enum class Deadman : uint8_t { kReleased, kEnabled, kPanic, kNotAvailable };
 /// Two-bit button as J1939 has it: both bits alike mean a fault of the channel.
 enum class Button : uint8_t { kReleased, kPressed, kError, kNotAvailable };
 enum class ControlMode : uint8_t {
-  kNone, kDrive, kFlipper, kArm, kGripper, kCamera, kPreset, kNotAvailable
+  kNone,
+  kDrive,
+  kFlipper,
+  kArm,
+  kGripper,
+  kCamera,
+  kPreset,
+  kNotAvailable
 };
 enum class SpeedRange : uint8_t { kCreep, kLow, kHigh, kNotAvailable };
 /// Antivalent two-bit contact of the fire circuit.

@@ -8,15 +8,44 @@
 namespace eod::dbc {
 
 enum class SystemState : uint8_t {
-  kInit, kStandby, kReady, kOperate, kSafeStop, kEstopLatched, kFault, kPaused, kReplay
+  kInit,
+  kStandby,
+  kReady,
+  kOperate,
+  kSafeStop,
+  kEstopLatched,
+  kFault,
+  kPaused,
+  kReplay
 };
 enum class InhibitReason : uint8_t {
-  kNone, kCollision, kJointLimit, kConflict, kDeadman, kLinkLoss, kEstop, kPayload, kTilt,
-  kNeutralNeeded, kNotReady
+  kNone,
+  kCollision,
+  kJointLimit,
+  kConflict,
+  kDeadman,
+  kLinkLoss,
+  kEstop,
+  kPayload,
+  kTilt,
+  kNeutralNeeded,
+  kNotReady
 };
 enum class Lamp : uint8_t {
-  kPower, kLink, kEstop, kDeadman, kCollision, kLimit, kTilt, kBattery, kArmed, kFired, kGrasp,
-  kMission, kFault, kCamera
+  kPower,
+  kLink,
+  kEstop,
+  kDeadman,
+  kCollision,
+  kLimit,
+  kTilt,
+  kBattery,
+  kArmed,
+  kFired,
+  kGrasp,
+  kMission,
+  kFault,
+  kCamera
 };
 enum class LampPattern : uint8_t { kOff, kOn, kSlowBlink, kFastBlink };
 enum class BuzzerPattern : uint8_t { kOff, kBeep, kSlow, kFast, kContinuous, kSuccess, kFailure };
@@ -26,12 +55,13 @@ struct RobotFeedback {
   // ROB_STATUS
   SystemState state = SystemState::kInit;
   Module module = Module::kNone;
-  int mission_state = 0;         ///< 0 idle, 1 brief, 2 run, 3 success, 4 fail, 5 abort
+  int mission_state = 0;  ///< 0 idle, 1 brief, 2 run, 3 success, 4 fail, 5 abort
   bool is_simulator = true;
-  uint32_t inhibit_mask = 0;     ///< bit m-1: motion m is inhibited
+  uint32_t inhibit_mask = 0;  ///< bit m-1: motion m is inhibited
   InhibitReason inhibit_reason = InhibitReason::kNone;
-  double link_quality = 0;       ///< 0..1
-  double box_frame_age_s = 1.27; ///< [s] age of the last box frame, saturates at the signal's range
+  double link_quality = 0;  ///< 0..1
+  double box_frame_age_s =
+      1.27;  ///< [s] age of the last box frame, saturates at the signal's range
   // ROB_ALARM
   BuzzerPattern buzzer = BuzzerPattern::kOff;
   std::array<LampPattern, kLampCount> lamp{};  ///< indexed by Lamp
