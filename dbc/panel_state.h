@@ -88,6 +88,9 @@ struct PanelState {
   int nonce_echo = 0;  ///< 0..255
   // BOX_HEARTBEAT
   NmtState nmt = NmtState::kPreOperational;
+  // BOX_EMCY
+  int error_code = 0;      ///< CANopen emergency error code, 0..0xFFFF; 0 = error reset
+  int error_register = 0;  ///< CANopen error register: bit 0 generic, 7 manufacturer
 
   bool operator==(const PanelState&) const = default;
 };

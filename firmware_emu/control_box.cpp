@@ -124,6 +124,10 @@ void ControlBox::Report(TimePoint now, const PanelInputs& inputs) {
   status_.reported = scanner_.Scan(now, inputs);
   status_.fault = phase_ == Phase::kRunning ? FindFault() : BoxFault::kNone;
   status_.reported.box_fault = static_cast<int>(status_.fault);
+  // CANopen: 0xFFxx is for the device's maker; register bits 0 (generic) and 7 (maker's own).
+  const bool has_fault = status_.fault != BoxFault::kNone;
+  status_.reported.error_code = has_fault ? 0xFF00 + static_cast<int>(status_.fault) : 0;
+  status_.reported.error_register = has_fault ? 0x81 : 0;
   status_.reported.nmt = before.nmt;
   status_.reported.nonce_echo = status_.feedback.nonce;
   status_.reported.supply_v = config_.supply_v;
