@@ -1,1 +1,1 @@
-# filled by its owner
+eod_program(eod-recorder SOURCES eod_recorder.cpp DEPENDS eod_recorder CLI11::CLI11 fmt::fmt)

@@ -1,0 +1,143 @@
+#include "recorder/moments.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace eod::recorder {
+namespace {
+
+constexpr double kSameMoment_s = 1.0;
+constexpr double kApproach_s = 2.0;
+constexpr double kRecentPeriod_s = 0.25;
+constexpr double kCompanion_s = 0.2;  // pictures of two cameras this close show the same moment
+constexpr size_t kMaxSamples = 64;
+
+// Distance in time from `t` to the nearest of `moments`.
+double Gap(const std::vector<Moment>& moments, double t) {
+  double gap = 1e9;
+  for (const Moment& moment : moments) gap = std::min(gap, std::abs(moment.t - t));
+  return gap;
+}
+
+void InsertByTime(std::vector<Moment>& moments, Moment moment) {
+  const auto place = std::upper_bound(moments.begin(), moments.end(), moment.t,
+                                      [](double t, const Moment& other) { return t < other.t; });
+  moments.insert(place, std::move(moment));
+}
+
+}  // namespace
+
+void Moments::Mark(double t, std::string label) {
+  for (const Moment& mark : marks_) {
+    if (std::abs(mark.t - t) < kSameMoment_s) return;
+  }
+  Moment mark;
+  mark.t = t;
+  mark.label = std::move(label);
+  marks_.push_back(std::move(mark));
+}
+
+void Moments::MarkWithApproach(double t, std::string approach_label, std::string label) {
+  const auto before = std::find_if(recent_.rbegin(), recent_.rend(), [t](const Moment& moment) {
+    return moment.t <= t - kApproach_s;
+  });
+  if (before != recent_.rend() && Gap(marks_, before->t) >= kSameMoment_s) {
+    Moment approach = *before;
+    approach.label = std::move(approach_label);
+    marks_.push_back(std::move(approach));
+  }
+  Mark(t, std::move(label));
+}
+
+void Moments::AddPicture(Camera camera, double t, const Jpeg& jpeg, const LampPatterns& lamps,
+                         double speed_mps) {
+  Moment caption;
+  caption.t = t;
+  caption.lamps = lamps;
+  caption.speed_mps = speed_mps;
+  FillMarks(camera, t, jpeg, caption);
+  KeepSample(camera, t, jpeg, caption);
+}
+
+void Moments::FillMarks(Camera camera, double t, const Jpeg& jpeg, const Moment& caption) {
+  for (Moment& mark : marks_) {
+    if (mark.t > t || mark.pictures.contains(camera)) continue;
+    // A camera that joined much later does not show this moment.
+    if (!mark.pictures.empty() && t - mark.t > kSameMoment_s) continue;
+    if (mark.pictures.empty()) {
+      mark.t = t;
+      mark.lamps = caption.lamps;
+      mark.speed_mps = caption.speed_mps;
+    }
+    mark.pictures[camera] = jpeg;
+  }
+}
+
+void Moments::KeepSample(Camera camera, double t, const Jpeg& jpeg, const Moment& caption) {
+  // Pictures of the other camera complete the newest moment of each kind.
+  const auto put = [&](Moment& moment) { moment.pictures[camera] = jpeg; };
+  const auto completes = [&](const Moment& moment) {
+    return t - moment.t < kCompanion_s && !moment.pictures.contains(camera);
+  };
+
+  if (!recent_.empty() && completes(recent_.back())) {
+    put(recent_.back());
+  } else if (recent_.empty() || t - recent_.back().t >= kRecentPeriod_s) {
+    recent_.push_back(caption);
+    put(recent_.back());
+    while (recent_.back().t - recent_.front().t > kApproach_s + 4 * kRecentPeriod_s) {
+      recent_.pop_front();
+    }
+  }
+
+  if (!samples_.empty() && completes(samples_.back())) {
+    put(samples_.back());
+  } else if (samples_.empty() || t - samples_.back().t >= sample_period_s_) {
+    samples_.push_back(caption);
+    put(samples_.back());
+    ThinSamples();
+  }
+
+  if (last_.pictures.empty() || !completes(last_)) {
+    std::map<Camera, Jpeg> pictures = std::move(last_.pictures);
+    last_ = caption;
+    last_.pictures = std::move(pictures);
+  }
+  put(last_);
+}
+
+void Moments::ThinSamples() {
+  if (samples_.size() <= kMaxSamples) return;
+  // Drop every second one; keep the first.
+  std::vector<Moment> kept;
+  for (size_t i = 0; i < samples_.size(); i += 2) kept.push_back(std::move(samples_[i]));
+  samples_ = std::move(kept);
+  sample_period_s_ *= 2;
+}
+
+std::vector<Moment> Moments::Select(size_t count) const {
+  std::vector<Moment> chosen;
+  if (samples_.empty()) return chosen;
+  const auto add = [&](Moment moment, const char* label) {
+    if (chosen.size() >= count || moment.pictures.empty()) return;
+    if (moment.label.empty()) moment.label = label;
+    if (Gap(chosen, moment.t) >= kSameMoment_s) InsertByTime(chosen, std::move(moment));
+  };
+  if (marks_.empty() || Gap(marks_, samples_.front().t) >= kSameMoment_s) {
+    add(samples_.front(), "First picture");
+  }
+  if (Gap(marks_, last_.t) >= kSameMoment_s) add(last_, "End");
+  for (const Moment& mark : marks_) add(mark, "");
+
+  // Fill up with the sample that is farthest from all others, again and again.
+  while (chosen.size() < count) {
+    const auto farthest = std::max_element(
+        samples_.begin(), samples_.end(),
+        [&](const Moment& a, const Moment& b) { return Gap(chosen, a.t) < Gap(chosen, b.t); });
+    if (Gap(chosen, farthest->t) < kSameMoment_s) break;
+    InsertByTime(chosen, *farthest);
+  }
+  return chosen;
+}
+
+}  // namespace eod::recorder
