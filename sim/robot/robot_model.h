@@ -17,7 +17,7 @@ namespace eod::sim {
 
 /// One of the nine joints. Revolute joints in [rad], J7 in [m] of opening per hand.
 struct JointSpec {
-  std::string name;
+  std::string name;  ///< "J1_front_flipper"
   double lower = 0;
   double upper = 0;
   double rate = 0;  ///< at 100 % [rad/s] or [m/s]

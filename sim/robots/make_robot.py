@@ -234,27 +234,27 @@ def mast_camera():
 
 
 def joints():
-    lines = hinge(1, "front_flipper", "chassis", "front_flipper", (-45, 120), 20, 90, ("M05", "M06"))
-    lines += hinge(2, "rear_flipper", "chassis", "rear_flipper", (-45, 120), 20, 90, ("M07", "M08"))
-    lines += hinge(3, "big_arm", "chassis", "big_arm", (0, 150), 10, 120, ("M09", "M10"))
-    lines += hinge(4, "small_arm", "big_arm", "small_arm", (0, 180), 15, 30, ("M11", "M12"))
-    lines += hinge(5, "wrist", "small_arm", "wrist", (-100, 100), 20, 30, ("M13", "M14"))
+    lines = hinge(1, "J1_front_flipper", "chassis", "front_flipper", (-45, 120), 20, 90, ("M05", "M06"))
+    lines += hinge(2, "J2_rear_flipper", "chassis", "rear_flipper", (-45, 120), 20, 90, ("M07", "M08"))
+    lines += hinge(3, "J3_big_arm", "chassis", "big_arm", (0, 150), 10, 120, ("M09", "M10"))
+    lines += hinge(4, "J4_small_arm", "big_arm", "small_arm", (0, 180), 15, 30, ("M11", "M12"))
+    lines += hinge(5, "J5_wrist", "small_arm", "wrist", (-100, 100), 20, 30, ("M13", "M14"))
     # Rotation about +Y lowers the right side: clockwise as the operator sees it; ccw is positive.
-    lines += hinge(6, "gripper_roll", "wrist", "gripper", (-180, 180), 30, 0, ("M15", "M16"),
+    lines += hinge(6, "J6_gripper_roll", "wrist", "gripper", (-180, 180), 30, 0, ("M15", "M16"),
                    (0, -1, 0))
     unit = 0.15  # metres a unit of Eq. 5
     opening = ['<eod:motion index="7" positive="M17" negative="M18" home_m="0"/>',
-               '<eod:follows joint="gripper_opening" scale="1" hand="right"/>']
+               '<eod:follows joint="J7_gripper_opening" scale="1" hand="right"/>']
     limits, rate = (0, 0.8 * unit), 0.27 * unit
-    lines += joint("gripper_opening", "prismatic", "gripper", "right_hand", (1, 0, 0), limits, rate,
+    lines += joint("J7_gripper_opening", "prismatic", "gripper", "right_hand", (1, 0, 0), limits, rate,
                    opening)
-    lines += joint("left_hand", "prismatic", "gripper", "left_hand", (-1, 0, 0), limits, rate,
-                   ['<eod:follows joint="gripper_opening" scale="1" hand="left"/>'])
-    lines += joint("crossbeam", "prismatic", "gripper", "crossbeam", (0, -1, 0), (0, 0.08), rate,
-                   ['<eod:follows joint="gripper_opening" scale="0.666666666666667"/>'])
-    lines += hinge(8, "camera_pan", "chassis", "camera_pan", (-170, 170), 40, 0, ("M19", "M20"),
+    lines += joint("left_hand_slide", "prismatic", "gripper", "left_hand", (-1, 0, 0), limits, rate,
+                   ['<eod:follows joint="J7_gripper_opening" scale="1" hand="left"/>'])
+    lines += joint("crossbeam_slide", "prismatic", "gripper", "crossbeam", (0, -1, 0), (0, 0.08), rate,
+                   ['<eod:follows joint="J7_gripper_opening" scale="0.666666666666667"/>'])
+    lines += hinge(8, "J8_camera_pan", "chassis", "camera_pan", (-170, 170), 40, 0, ("M19", "M20"),
                    (0, 0, 1))
-    lines += hinge(9, "camera_tilt", "camera_pan", "camera_tilt", (-60, 90), 30, -10, ("M21", "M22"))
+    lines += hinge(9, "J9_camera_tilt", "camera_pan", "camera_tilt", (-60, 90), 30, -10, ("M21", "M22"))
     return lines
 
 
