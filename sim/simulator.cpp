@@ -22,15 +22,6 @@ Scenario ScenarioIn(const ModuleModel& module, const Scenario& scenario) {
   return free_driving;
 }
 
-/// Motions that load the forward line of sight.
-MotionSet LookingAhead(const RobotModel& robot) {
-  MotionSet motions = 0;
-  for (const IsectorSpec& isector : robot.isectors) {
-    if (isector.method == IsectorMethod::kLos) motions |= isector.motions;
-  }
-  return Contains(motions, kDriveForward) ? SetOf(kDriveForward) : motions;
-}
-
 bool IsSame(TaskStatus a, const TaskStatus& b) {
   a.elapsed_s = b.elapsed_s;
   return a == b;
@@ -43,11 +34,12 @@ double SignedRate(const RobotModel& robot, const MotionDemand& demand, int posit
 
 }  // namespace
 
-Simulator::Place::Place(const RobotModel& robot, const ModuleModel& model, const Scenario& scenario)
+Simulator::Place::Place(const RobotModel& robot, const ModuleModel& model, const Scenario& scenario,
+                        Coverage coverage)
     : module(&model),
       world(BuildWorld(model)),
-      isectors(robot, model.class_bit),
-      support(robot, model.class_bit),
+      isectors(robot, model.class_bit, coverage),
+      support(robot, model.class_bit, Coverage::kPaper),
       task(ScenarioIn(model, scenario), model) {}
 
 Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Scenario& scenario,
@@ -68,7 +60,7 @@ Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Sce
                                          scenario.module, world.file.string()));
   }
   for (const ModuleModel& module : world.modules) {
-    places_.push_back(std::make_unique<Place>(robot, module, scenario));
+    places_.push_back(std::make_unique<Place>(robot, module, scenario, config.coverage));
   }
   result_.alarm_changes.reserve(16);
   // Every list grows to its full length now, so that no step has to allocate.
@@ -151,8 +143,7 @@ void Simulator::StandAtStart() {
 }
 
 void Simulator::Cast(MotionSet wanted) {
-  const MotionSet ahead = place_->task.LooksAhead() ? LookingAhead(robot_) : 0;
-  place_->isectors.Cast(*place_->world, link_poses_, wanted | response_.Watched() | ahead);
+  place_->isectors.Cast(*place_->world, link_poses_, wanted | response_.Watched());
 }
 
 void Simulator::Move(const MotionDemand& wanted, MotionSet limited) {

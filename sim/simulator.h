@@ -20,6 +20,7 @@ namespace eod::sim {
 struct SimulatorConfig {
   Duration period = std::chrono::milliseconds(4);             ///< 1..20 ms
   Duration command_timeout = std::chrono::milliseconds(100);  ///< zero motion from this age on
+  Coverage coverage = Coverage::kExtended;
   bool start_mission = false;  ///< the mission runs from the first step, without the menu
 };
 
@@ -68,7 +69,8 @@ class Simulator {
  private:
   /// A module that the menu can choose, built before the first step.
   struct Place {
-    Place(const RobotModel& robot, const ModuleModel& model, const Scenario& scenario);
+    Place(const RobotModel& robot, const ModuleModel& model, const Scenario& scenario,
+          Coverage coverage);
     const ModuleModel* module;
     std::unique_ptr<World> world;
     IsectorSet isectors;  ///< all that the commanded motions load

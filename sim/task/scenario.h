@@ -12,7 +12,7 @@ struct TaskStep {
   enum class Kind : uint8_t {
     kContact,   ///< touch `object` (any if empty) with an isector, so that the motion is inhibited
     kClear,     ///< no contact, and at least `distance` from where the contact was
-    kPassGate,  ///< drive the robot's origin along Y of `object`, at most `distance`/2 beside it
+    kPassGate,  ///< drive the robot's origin along X of `object`, at most `distance`/2 beside it
     kStopAt,    ///< stand still for 1 s, the foremost point `distance` +- `tolerance` from `object`
     kReach,     ///< origin within `tolerance` of (x, y)
   };

@@ -79,11 +79,6 @@ void Task::Reset() {
   still_steps_ = 0;
 }
 
-bool Task::LooksAhead() const {
-  return status_.state == MissionState::kRun && status_.step < status_.steps &&
-         steps_[status_.step].spec.kind == TaskStep::Kind::kStopAt;
-}
-
 void Task::Start(const RobotState& state) {
   Reset();
   // A scenario without steps is free driving: there is nothing to run or to pass.
@@ -111,15 +106,15 @@ bool Task::IsComplete(const Step& step, const TaskInputs& inputs) {
   return false;
 }
 
-/// The gate's posts stand along X of its frame: passed when the way of this step crosses y = 0
+/// The gate's posts stand along Y of its frame: passed when the way of this step crosses x = 0
 /// between them, from either side.
 bool Task::HasPassed(const Step& gate, const Eigen::Vector3d& p_M) {
   const Eigen::Vector3d before = gate.X_OM * last_position_;
   const Eigen::Vector3d after = gate.X_OM * p_M;
-  if ((before.y() > 0) == (after.y() > 0)) return false;
-  const double share = before.y() / (before.y() - after.y());
-  const double x = before.x() + share * (after.x() - before.x());
-  return std::abs(x) <= gate.spec.distance / 2;
+  if ((before.x() > 0) == (after.x() > 0)) return false;
+  const double share = before.x() / (before.x() - after.x());
+  const double y = before.y() + share * (after.y() - before.y());
+  return std::abs(y) <= gate.spec.distance / 2;
 }
 
 bool Task::HasStopped(const TaskStep& step, const TaskInputs& inputs) {

@@ -66,9 +66,6 @@ class Task {
   /// Forgets all progress: idle again.
   void Reset();
 
-  /// Whether the current step needs to know what stands ahead of the robot.
-  bool LooksAhead() const;
-
  private:
   struct Step {
     TaskStep spec;
