@@ -112,10 +112,11 @@ TEST_F(SocketCanOutage, DropsWhileTheInterfaceIsDownAndReturnsWithIt) {
 
 TEST_F(SocketCanOutage, NoticesByReadingThatTheInterfaceWentDown) {
   Ip("set {} down");
-  EXPECT_FALSE(Await(*dut_).has_value());
+  pollfd entry{.fd = dut_->PollDescriptor(), .events = POLLIN, .revents = 0};
+  EXPECT_EQ(::poll(&entry, 1, 5000), 1);
+  EXPECT_FALSE(dut_->Receive().has_value());
   EXPECT_EQ(dut_->state(), CanBusState::kDown);
   // Reported once: a loop that polls the descriptor does not spin.
-  pollfd entry{.fd = dut_->PollDescriptor(), .events = POLLIN, .revents = 0};
   EXPECT_EQ(::poll(&entry, 1, 0), 0);
 }
 
@@ -174,6 +175,7 @@ TEST_F(SocketCanOutage, StillHearsOfBusOffWhenTheInterfaceWasMadeAgain) {
 
 TEST_F(SocketCanOutage, StartsOnAnInterfaceThatIsDown) {
   Ip("set {} down");
+  MaintainBoth();
   dut_ = Connect();
   EXPECT_EQ(dut_->state(), CanBusState::kDown);
   Ip("set {} up");
@@ -224,6 +226,7 @@ TEST_F(SocketCanOutage, CountsAWarningOfTheControllerAndStaysUp) {
 
 TEST_F(SocketCanOutage, DropsAnFdFrameOnAClassicInterface) {
   Ip("set {} down");
+  MaintainBoth();
   Ip("set {} mtu 16");
   Ip("set {} up");
   MaintainBoth();
