@@ -225,6 +225,8 @@ void AddDisplays(Roles<RobotFeedback>& roles) {
   roles.Count<&F::nonce>("nonce");
   roles.Count<&F::circuit_continuity>("circuit_continuity");
   roles.Named<&F::nmt>("robot_heartbeat", choices::kHeartbeat);
+  roles.Count<&F::error_code>("emergency_code");
+  roles.Count<&F::error_register>("emergency_register");
 }
 
 std::vector<Role<RobotFeedback>> MakeFeedbackRoles() {
