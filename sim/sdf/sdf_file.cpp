@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <console_bridge/console.h>
 #include <fmt/format.h>
 #include <sdf/Console.hh>
 #include <sdf/Frame.hh>
@@ -36,7 +37,9 @@ int LineOfError(const sdf::Error& error, const std::string& text) {
 
 sdf::Root Load(const std::filesystem::path& file) {
   const std::string text = ReadNumberedSdf(file);
-  sdf::Console::Instance()->SetQuiet(true);  // errors come back as values
+  // Errors come back as values. What libsdformat cannot read, it tries as URDF, which talks elsewhere.
+  sdf::Console::Instance()->SetQuiet(true);
+  console_bridge::noOutputHandler();
   sdf::ParserConfig config;
   config.SetWarningsPolicy(sdf::EnforcementPolicy::ERR);
   config.SetUnrecognizedElementsPolicy(sdf::EnforcementPolicy::ERR);
