@@ -1,1 +1,2 @@
-# filled by its owner
+eod_program(eod-sim SOURCES eod_sim.cpp sim_options.cpp
+            DEPENDS eod_simulator eod_sim_camera CLI11::CLI11 fmt::fmt)

@@ -1,0 +1,117 @@
+#include "programs/sim_options.h"
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "lcmtypes/channels.h"
+
+namespace eod::sim {
+namespace {
+
+/// "640x480" into its two numbers; empty text if that went well, as CLI11 wants it.
+std::string ParseSize(const std::string& text, CameraConfig& camera) {
+  int width = 0;
+  int height = 0;
+  int used = 0;
+  const bool parsed = std::sscanf(text.c_str(), "%4dx%4d%n", &width, &height, &used) == 2 &&
+                      used == static_cast<int>(text.size());
+  if (!parsed || width < 64 || width > 1920 || height < 48 || height > 1080) {
+    return fmt::format("'{}': WIDTHxHEIGHT, allowed 64x48 .. 1920x1080 pixels", text);
+  }
+  camera.width = width;
+  camera.height = height;
+  return {};
+}
+
+void AddStepOptions(CLI::App& app, SimOptions& options) {
+  Duration& period = options.node.simulator.period;
+  auto* in_milliseconds =
+      app.add_option_function<double>(
+             "--period-ms", [&period](double ms) { period = Duration(std::llround(ms * 1e6)); },
+             "length of a step [ms], 4 by default")
+          ->check(CLI::Range(1.0, 20.0));
+  app.add_option_function<double>(
+         "--rate", [&period](double hz) { period = Duration(std::llround(1e9 / hz)); },
+         "the same as steps a second [Hz], 250 by default")
+      ->check(CLI::Range(50.0, 1000.0))
+      ->excludes(in_milliseconds);
+  app.add_flag("--start", options.node.simulator.start_mission,
+               "the mission runs from the first step, without the menu");
+}
+
+void AddIsectorOptions(CLI::App& app, SimOptions& options) {
+  static const std::map<std::string, Coverage> kCoverage{{"paper", Coverage::kPaper},
+                                                         {"extended", Coverage::kExtended}};
+  app.add_option("--coverage", options.node.simulator.coverage,
+                 "isectors: those of the source paper, or also guards for what it left open")
+      ->transform(CLI::CheckedTransformer(kCoverage))
+      ->option_text("paper|extended");
+  app.add_flag("--publish-isectors", options.node.publish_isectors,
+               "put every step's isector hits on LCM");
+}
+
+void AddCameraOptions(CLI::App& app, SimOptions& options) {
+  app.add_flag_callback(
+      "--no-cameras", [&options] { options.cameras = false; }, "render nothing");
+  app.add_option_function<std::string>(
+         "--camera-size", [&options](const std::string& text) { ParseSize(text, options.camera); },
+         "of the pictures [px], 640x480 by default")
+      ->type_name("WxH")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            CameraConfig ignored;
+            return ParseSize(text, ignored);
+          },
+          ""));
+  app.add_option("--camera-fps", options.camera.rate_hz, "pictures a second of each camera")
+      ->check(CLI::Range(1.0, 60.0))
+      ->capture_default_str();
+  app.add_flag("--isectors", options.camera.draw_isectors,
+               "draw isectors and hits into the pictures");
+}
+
+}  // namespace
+
+void AddSimOptions(CLI::App& app, SimOptions& options) {
+  app.add_option("--world", options.world, "SDFormat file")->capture_default_str();
+  app.add_option("--robot", options.robot, "SDFormat file")->capture_default_str();
+  app.add_option("--scenario", options.scenario, "TOML file")->capture_default_str();
+  AddStepOptions(app, options);
+  AddIsectorOptions(app, options);
+  AddCameraOptions(app, options);
+}
+
+std::string Describe(const SimOptions& options) {
+  const double period_s = ToSeconds(options.node.simulator.period);
+  std::string text = fmt::format(
+      "eod-sim: the robot in its world\n"
+      "world            {}\n"
+      "robot            {}\n"
+      "scenario         {}\n"
+      "step             {:g} ms ({:g} Hz), zero motion {:g} ms after the last command\n"
+      "isectors         {}\n",
+      options.world.string(), options.robot.string(), options.scenario.string(), 1000 * period_s,
+      1 / period_s, 1000 * ToSeconds(options.node.simulator.command_timeout),
+      options.node.simulator.coverage == Coverage::kPaper ? "paper" : "extended");
+  text += options.cameras
+              ? fmt::format("cameras          {} at {}x{}, {:g} Hz\n",
+                            fmt::join(options.camera.cameras, ", "), options.camera.width,
+                            options.camera.height, options.camera.rate_hz)
+              : "cameras          none\n";
+  for (const char* verb : {"publishes", "hears"}) {
+    text += fmt::format("{}\n", verb);
+    for (const Channel& channel : kChannels) {
+      const std::string_view who = *verb == 'p' ? channel.publisher : channel.subscribers;
+      if (who.substr(0, 3) != "sim") continue;
+      text += fmt::format("  {:<24} {:<18} {}\n", ChannelName(options.node.channel_prefix, channel),
+                          channel.type, channel.rate);
+    }
+  }
+  return text;
+}
+
+}  // namespace eod::sim

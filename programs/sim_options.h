@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <CLI/App.hpp>
+
+#include "platform/station_options.h"
+#include "sim/camera/camera_thread.h"
+#include "sim/sim_node.h"
+
+namespace eod::sim {
+
+/// What the command line of eod-sim decides.
+struct SimOptions {
+  std::filesystem::path world = EOD_DATA_DIR "/sim/worlds/training_ground.sdf";
+  std::filesystem::path robot = EOD_DATA_DIR "/sim/robots/eod_robot.sdf";
+  std::filesystem::path scenario = EOD_DATA_DIR "/sim/scenarios/flat_first_drive.toml";
+  SimNodeConfig node;
+  bool cameras = true;
+  CameraConfig camera;
+};
+
+/// Registers all but the station's options. Values go to `options`, which must outlive the parsing.
+void AddSimOptions(CLI::App& app, SimOptions& options);
+
+/// Text of `--describe`.
+std::string Describe(const SimOptions& options);
+
+}  // namespace eod::sim
