@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string_view>
 
 #include <CLI/App.hpp>
 
@@ -13,5 +14,8 @@ namespace eod {
 /// `--help` and `--version` (of `version`) print and give 0.
 int RunMain(CLI::App& app, const char* version, int argc, char** argv,
             const std::function<void()>& body);
+
+/// Tells whoever started this program, in one line on stdout, that it works now: "ready on WHERE".
+void SayReady(std::string_view where);
 
 }  // namespace eod

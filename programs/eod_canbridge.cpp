@@ -15,6 +15,7 @@ void Bridge(const eod::bridge::BridgeNodeConfig& config, const eod::StationOptio
   const auto lcm = eod::OpenLcm(station.lcm);
   const auto bus = eod::OpenCanBus(station, clock);
   eod::bridge::BridgeNode node(config, *bus, *lcm, clock);
+  eod::SayReady(bus->url());
   eod::RunNode(node, bus.get(), *lcm, clock);
 }
 

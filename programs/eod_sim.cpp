@@ -34,6 +34,7 @@ void Simulate(const eod::sim::SimOptions& options, const eod::StationOptions& st
          .period = std::chrono::nanoseconds(static_cast<int64_t>(1e9 / options.camera.rate_hz)),
          .draw_isectors = options.camera.draw_isectors});
   }
+  eod::SayReady(station.lcm.url.empty() ? "LCM" : station.lcm.url);
   const uint64_t overruns = eod::RunNode(node, nullptr, *lcm, clock);
   fmt::print("{} steps, {} overruns, {} pictures\n", node.simulator().last().step, overruns,
              cameras ? cameras->pictures() : 0);
