@@ -16,6 +16,32 @@ fail_usage() {
   exit 2
 }
 
+check_preset() {
+  case $1 in
+    release | dev | asan-ubsan | tsan) ;;
+    *) fail_usage "unknown preset '$1'" ;;
+  esac
+}
+
+child=
+
+# run_child COMMAND...: as in the foreground, yet a signal to this script is acted on at once.
+run_child() {
+  local status=0
+  setpriv --pdeathsig TERM -- "$@" </dev/null &
+  child=$!
+  wait "$child" || status=$?
+  child=
+  return "$status"
+}
+
+# stop_child: ends what run_child waits for.
+stop_child() {
+  [[ -n $child ]] || return 0
+  kill -TERM "$child" 2>/dev/null || true
+  wait "$child" || true
+}
+
 # packages_in SECTION...: the packages of these sections, one a line.
 packages_in() {
   awk -v wanted=" $* " '
@@ -66,7 +92,7 @@ configure() {
   say "set-up: configuring build/$preset"
   mkdir -p "$build"
   # --fresh: the folder may hold the rest of a failed start, or have been copied with its tree.
-  cmake --fresh --preset "$preset" >"$build/configure.log" 2>&1 </dev/null || {
+  run_child cmake --fresh --preset "$preset" >"$build/configure.log" 2>&1 || {
     cat "$build/configure.log" >&2
     fail "cmake --preset $preset failed, see above"
   }
@@ -83,9 +109,8 @@ build_jobs() {
 
 # build PRESET [TARGET...]: ninja shows one line that advances, or plain lines when piped.
 build() {
-  local preset=$1 targets=()
+  local preset=$1
   shift
-  (($# == 0)) || targets=(--target "$@")
-  NINJA_STATUS='[%f/%t, %es] ' cmake --build --preset "$preset" -j "$(build_jobs)" "${targets[@]}" \
-    </dev/null || fail "the build of preset $preset failed, see above"
+  NINJA_STATUS='[%f/%t, %es] ' run_child ninja -C "build/$preset" -j "$(build_jobs)" "$@" ||
+    fail "the build of preset $preset failed, see above"
 }
