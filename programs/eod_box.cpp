@@ -17,8 +17,9 @@ int main(int argc, char** argv) {
   using namespace eod;
   CLI::App app("eod-box: an emulated control box on a CAN bus");
   StationOptions station;
-  box::BoxNodeConfig config{.dbc_file = EOD_DATA_DIR "/dbc/control_box.dbc",
-                            .map_file = EOD_DATA_DIR "/dbc/control_box.map.toml"};
+  box::BoxNodeConfig config;
+  config.dbc_file = EOD_DATA_DIR "/dbc/control_box.dbc";
+  config.map_file = EOD_DATA_DIR "/dbc/control_box.map.toml";
   box::BoxConsole::Options console_options;
   std::string script_file;
   AddBusOptions(app, station);

@@ -1,0 +1,157 @@
+#include "firmware_emu/script_runner.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/unit/firmware_emu/box_rig.h"
+
+namespace eod::box {
+namespace {
+
+class Runner : public testing::Test {
+ protected:
+  void Play(std::string_view text) {
+    dut_.emplace(ParseScript(text, "a.boxscript"));
+    Run(0);
+  }
+  // Ticks `ms` more milliseconds, one tick now.
+  void Run(int ms) {
+    for (int i = 0; i <= ms; ++i) {
+      if (i > 0) now_ += milliseconds(1);
+      dut_->Tick(now_, status_, hands_);
+      hands_.Tick(now_);
+    }
+  }
+  bool IsPressed(int motion) const { return hands_.inputs().controls.motion[motion - 1]; }
+
+  TimePoint now_ = At(seconds(5));
+  PanelStatus status_;
+  OperatorHands hands_;
+  std::optional<ScriptRunner> dut_;
+};
+
+TEST_F(Runner, DoesActionsWithoutTimeInOneTick) {
+  Play("key operate\nspeed high\npress M01\nnote \"go\"");
+  EXPECT_TRUE(dut_->is_done());
+  EXPECT_EQ(hands_.inputs().controls.speed_range, dbc::SpeedRange::kHigh);
+  EXPECT_TRUE(IsPressed(1));
+  EXPECT_EQ(dut_->TakeNotes(), std::vector<std::string>{"go"});
+  EXPECT_TRUE(dut_->TakeNotes().empty());
+}
+
+TEST_F(Runner, AnEmptyScriptIsDone) {
+  Play("# nothing\n");
+  EXPECT_TRUE(dut_->is_done());
+  EXPECT_FALSE(dut_->failure());
+  EXPECT_EQ(dut_->current_line(), "");
+}
+
+TEST_F(Runner, WaitTakesItsTime) {
+  Play("wait 250ms\nkey operate");
+  EXPECT_EQ(dut_->current_line(), "wait 250ms");
+  Run(249);
+  EXPECT_FALSE(dut_->is_done());
+  Run(1);
+  EXPECT_TRUE(dut_->is_done());
+}
+
+TEST_F(Runner, HoldForPressesSeveralMotionsAndLetsGo) {
+  Play("hold M06 M08 for 100ms");
+  EXPECT_TRUE(IsPressed(6));
+  EXPECT_TRUE(IsPressed(8));
+  Run(99);
+  EXPECT_TRUE(IsPressed(6));
+  Run(1);
+  EXPECT_FALSE(IsPressed(6));
+  EXPECT_FALSE(IsPressed(8));
+}
+
+TEST_F(Runner, TwoHoldsOfOneMotionKeepTheButtonDownInBetween) {
+  Play("hold M01 for 50ms\nspeed low\nhold M01 for 50ms");
+  for (int ms = 0; ms < 99; ++ms) {
+    EXPECT_TRUE(IsPressed(1)) << ms;
+    Run(1);
+  }
+  Run(1);
+  EXPECT_FALSE(IsPressed(1));
+}
+
+TEST_F(Runner, HoldUntilEndsWithItsCondition) {
+  Play("hold M03 until heading >= 88 within 10s");
+  Run(1000);
+  EXPECT_TRUE(IsPressed(3));
+  status_.feedback.heading_deg = 89;
+  Run(1);
+  EXPECT_FALSE(IsPressed(3));
+  EXPECT_TRUE(dut_->is_done());
+  EXPECT_FALSE(dut_->failure());
+}
+
+TEST_F(Runner, HoldUntilCountsTravelFromItsOwnBegin) {
+  status_.feedback.speed_mps = 0.5;
+  Play("wait 3s\nhold M01 until travel >= 1 within 10s");
+  Run(3000);
+  Run(1998);
+  EXPECT_FALSE(dut_->is_done());
+  Run(4);
+  EXPECT_TRUE(dut_->is_done());
+}
+
+TEST_F(Runner, WaitUntilGoesOnWhenTheConditionComes) {
+  Play("wait lamp estop on within 1s");
+  Run(500);
+  EXPECT_FALSE(dut_->is_done());
+  status_.lamp[static_cast<size_t>(dbc::Lamp::kEstop)] = dbc::LampPattern::kOn;
+  Run(1);
+  EXPECT_TRUE(dut_->is_done());
+  EXPECT_FALSE(dut_->failure());
+}
+
+TEST_F(Runner, AConditionThatDoesNotComeInTimeFailsWithFileLineAndObservation) {
+  Play("deadman enabled\npress M01\nstick arm_y 20%\n\nwait lamp estop on within 1s\nkey off");
+  Run(999);
+  EXPECT_FALSE(dut_->failure());
+  Run(1);
+  EXPECT_TRUE(dut_->is_done());
+  EXPECT_EQ(dut_->failure(),
+            "a.boxscript:5: wait lamp estop on within 1s: time is up: lamp estop is off");
+}
+
+TEST_F(Runner, FailureLetsGoOfMotionsSticksAndEnablingSwitch) {
+  Play("deadman enabled\npress M01\nstick arm_y 20%\nexpect link up");
+  EXPECT_FALSE(IsPressed(1));
+  EXPECT_EQ(hands_.inputs().controls.axis[2].value, 0);
+  EXPECT_EQ(hands_.inputs().controls.deadman, dbc::Deadman::kReleased);
+}
+
+TEST_F(Runner, ExpectFailsAtOnceAndNothingMoreIsDone) {
+  Play("expect link up\nkey operate");
+  EXPECT_EQ(dut_->failure(), "a.boxscript:1: expect link up: link is down");
+  Run(100);
+  EXPECT_EQ(hands_.inputs().controls.key, dbc::KeySwitch::kOff);
+}
+
+TEST_F(Runner, FailSaysWhy) {
+  Play("fail \"no reason\"");
+  EXPECT_EQ(dut_->failure(), "a.boxscript:1: fail \"no reason\": no reason");
+}
+
+TEST_F(Runner, TapsEndBeforeTheNextLine) {
+  Play("reset\nstart");
+  EXPECT_EQ(hands_.inputs().controls.reset, dbc::Button::kPressed);
+  EXPECT_EQ(hands_.inputs().controls.start, dbc::Button::kReleased);
+  Run(200);
+  EXPECT_EQ(hands_.inputs().controls.reset, dbc::Button::kReleased);
+  EXPECT_EQ(hands_.inputs().controls.start, dbc::Button::kReleased);
+  Run(100);
+  EXPECT_EQ(hands_.inputs().controls.start, dbc::Button::kPressed);
+}
+
+TEST_F(Runner, ZeroWaitAndZeroWithinAreAllowed) {
+  Play("wait 0s\nwait link down within 0s\nkey operate");
+  EXPECT_TRUE(dut_->is_done());
+  EXPECT_FALSE(dut_->failure());
+}
+
+}  // namespace
+}  // namespace eod::box
