@@ -48,7 +48,7 @@ Row RowOf(Refusal refusal) {
     case Refusal::kHeartbeatLost:
       return {InhibitReason::kLinkLoss, "link lost: no box heartbeat for more than 600 ms"};
     case Refusal::kNoBox:
-      return {InhibitReason::kLinkLoss, "no control box on the bus yet"};
+      return {InhibitReason::kNotReady, "no control box on the bus yet"};
     case Refusal::kSimulatorSilent:
       return {InhibitReason::kNotReady, "no robot state from the simulator"};
     case Refusal::kKey:

@@ -48,7 +48,7 @@ TEST(BridgeCommands, GoldenAxesFrameDrivesByStick) {
   BridgeRig rig;
   rig.panel.deadman = dbc::Deadman::kEnabled;
   rig.SendFromBox(BoxMessage::kHeartbeat);
-  rig.Run(milliseconds(60));  // sticks at rest: counters 0, 1, 2
+  rig.Run(milliseconds(60));                // sticks at rest: counters 0, 1, 2
   rig.Take(Frame("390#DB03F461F0000000"));  // drive Y +50 %, X -25 %, counter 3
   // Stretched beyond the dead zone of 5 %: (0.50 - 0.05) / 0.95 and (0.25 - 0.05) / 0.95.
   const MotionRates& rate = rig.commands.back().motion_rate;

@@ -131,9 +131,9 @@ TEST(BridgeFeedback, EveryMessageKeepsItsCycleForTenSecondsAndNoTwoShareAMillise
   rig.Run(std::chrono::seconds(10));
   // Cycle times of the DBC; emergency is sent on events only.
   const std::map<RobotMessage, int> cycle_ms{
-      {RobotMessage::kStatus, 50},   {RobotMessage::kAlarm, 50},  {RobotMessage::kJointA, 50},
-      {RobotMessage::kJointB, 50},   {RobotMessage::kJointC, 50}, {RobotMessage::kPose, 50},
-      {RobotMessage::kBattery, 500}, {RobotMessage::kMission, 200}, {RobotMessage::kFire, 50},
+      {RobotMessage::kStatus, 50},    {RobotMessage::kAlarm, 50},    {RobotMessage::kJointA, 50},
+      {RobotMessage::kJointB, 50},    {RobotMessage::kJointC, 50},   {RobotMessage::kPose, 50},
+      {RobotMessage::kBattery, 500},  {RobotMessage::kMission, 200}, {RobotMessage::kFire, 50},
       {RobotMessage::kHeartbeat, 200}};
   std::size_t sum = 0;
   for (const auto& [role, cycle] : cycle_ms) {
@@ -360,8 +360,7 @@ TEST(BridgeFeedback, EmergencyMessageTellsTheFaultOnceAndItsEnd) {
   const std::vector<BridgeRig::Sent> frames = rig.SentAs(RobotMessage::kEmergency);
   ASSERT_EQ(frames.size(), 1U);
   // CiA 301: error code 0x9000 external error, little endian; register generic and manufacturer.
-  EXPECT_EQ(FormatCandumpLine(frames[0].frame, "vcan0").substr(18),
-            ") vcan0 0A0#0090810000000000");
+  EXPECT_EQ(FormatCandumpLine(frames[0].frame, "vcan0").substr(18), ") vcan0 0A0#0090810000000000");
 }
 
 }  // namespace

@@ -53,10 +53,10 @@ TEST(ForeignRobot, OtherNodesDoNotSilenceTheBridge) {
   BridgeRig rig;
   rig.BringUp();
   const uint32_t robot_id = rig.IdOf(RobotMessage::kStatus);
-  rig.Take({.id = 0x123, .length = 8});                          // somebody else's
-  rig.Take({.id = robot_id, .extended = true, .length = 8});     // 29 bit: another identifier
-  rig.Take({.id = robot_id, .remote = true, .length = 8});       // a request is not a robot
-  rig.Take({.id = 0x20000040, .error = true, .length = 8});      // a controller's report
+  rig.Take({.id = 0x123, .length = 8});                       // somebody else's
+  rig.Take({.id = robot_id, .extended = true, .length = 8});  // 29 bit: another identifier
+  rig.Take({.id = robot_id, .remote = true, .length = 8});    // a request is not a robot
+  rig.Take({.id = 0x20000040, .error = true, .length = 8});   // a controller's report
   EXPECT_FALSE(rig.dut->is_silent());
   EXPECT_TRUE(rig.commands.back().motion_permitted);
 }
@@ -257,7 +257,8 @@ TEST(Determinism, SameInputsGiveTheSameFramesAndCommands) {
     std::mt19937 random(7);
     for (int i = 0; i < 300; ++i) {
       rig.panel.motion[random() % dbc::kMotionCount] = random() % 2 == 0;
-      rig.panel.axis[random() % dbc::kAxisCount].value = static_cast<int>(random() % 201) / 100.0 - 1;
+      rig.panel.axis[random() % dbc::kAxisCount].value =
+          static_cast<int>(random() % 201) / 100.0 - 1;
       rig.robot.inhibit_mask = random() & 0x3FFFFF;
       if (i % 7 == 0) rig.Alarm({{0x10, static_cast<uint32_t>(random() % 16)}});
       rig.Run(milliseconds(random() % 30));

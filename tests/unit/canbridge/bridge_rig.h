@@ -19,8 +19,8 @@ namespace eod::bridge {
 
 using std::chrono::milliseconds;
 
-/// A bridge with a control box and a simulator around it, in virtual time of 1 ms steps. The box speaks
-/// and listens through the codec, so that every test goes through real frames.
+/// A bridge with a control box and a simulator around it, in virtual time of 1 ms steps. The box
+/// speaks and listens through the codec, so that every test goes through real frames.
 class BridgeRig {
  public:
   explicit BridgeRig(const std::filesystem::path& dbc_file = EOD_DATA_DIR "/dbc/control_box.dbc",
@@ -84,8 +84,8 @@ class BridgeRig {
     return frames;
   }
   uint32_t IdOf(dbc::RobotMessage role) const {
-    static constexpr std::array kNames{"status",  "alarm",   "joint_a", "joint_b",
-                                       "joint_c", "pose",    "battery", "mission",
+    static constexpr std::array kNames{"status",  "alarm",     "joint_a",  "joint_b",
+                                       "joint_c", "pose",      "battery",  "mission",
                                        "fire",    "heartbeat", "emergency"};
     const std::string name = map.robot_messages.at(kNames[static_cast<std::size_t>(role)]).message;
     return database.FindMessage(name)->id;

@@ -13,9 +13,7 @@ using dbc::SystemState;
 
 // Loss of frames. DriveForward ends at 340 ms, with frames sent at 340 ms.
 
-void GoSilent(SupervisionRig& rig) {
-  rig.sends_safety = rig.sends_motion = rig.sends_axes = false;
-}
+void GoSilent(SupervisionRig& rig) { rig.sends_safety = rig.sends_motion = rig.sends_axes = false; }
 
 void Return(SupervisionRig& rig) { rig.sends_safety = rig.sends_motion = rig.sends_axes = true; }
 
