@@ -43,7 +43,8 @@ Mesh CylinderMesh(double radius, double length, int sides) {
   const double top = length / 2, bottom = -top;
   Mesh mesh;
   for (int i = 0; i < sides; ++i) {
-    const Vector3d a = OnCircle(radius, i, sides, bottom), b = OnCircle(radius, i + 1, sides, bottom);
+    const Vector3d a = OnCircle(radius, i, sides, bottom),
+                   b = OnCircle(radius, i + 1, sides, bottom);
     const Vector3d c = OnCircle(radius, i + 1, sides, top), d = OnCircle(radius, i, sides, top);
     AddQuad(a, b, c, d, mesh);
     mesh.push_back({Vector3d(0, 0, top), d, c});

@@ -4,7 +4,8 @@
 
 namespace eod::sim {
 
-/// Attitude of a body. Heading counter-clockwise from +Y, pitch nose up, roll right side down [rad].
+/// Attitude of a body. Heading counter-clockwise from +Y, pitch nose up, roll right side down
+/// [rad].
 struct Attitude {
   double heading = 0;
   double pitch = 0;

@@ -57,8 +57,7 @@ void IsectorSet::Cast(const World& world, std::span<const Eigen::Isometry3d> X_M
 void IsectorSet::LoadIsector(size_t index, std::span<const Eigen::Isometry3d> X_ML,
                              MotionSet commanded) {
   const IsectorSpec& isector = model_.isectors[index];
-  const Eigen::Isometry3d X_MI =
-      SegmentFrame(isector, X_ML[static_cast<size_t>(isector.link)]);
+  const Eigen::Isometry3d X_MI = SegmentFrame(isector, X_ML[static_cast<size_t>(isector.link)]);
   for (size_t i = 0; i < isector.segments.size(); ++i) {
     const SegmentSpec& segment = isector.segments[i];
     if ((segment.motions & commanded) == 0) continue;

@@ -22,7 +22,7 @@ struct CastSegment {
 
 /// Height and attitude of the ground under the robot, by TRIPOD.
 struct GroundFix {
-  int legs = 0;          ///< how many legs met ground, 0..3
+  int legs = 0;  ///< how many legs met ground, 0..3
   /// [m] z of the plane under the tripod's origin; with 1 or 2 legs its z moved by mean_offset.
   double height = 0;
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< of the plane, z > 0; legs == 3
@@ -30,21 +30,20 @@ struct GroundFix {
   double mean_offset = 0;
 };
 
-/// Which isectors there are: those of the source paper, TRIPOD and LOS; or also the guards of chassis
-/// sides and the hands' look up and down, which close the gaps of that set.
+/// Which isectors there are: those of the source paper, TRIPOD and LOS; or also the guards of
+/// chassis sides and the hands' look up and down, which close the gaps of that set.
 enum class Coverage : uint8_t { kPaper, kExtended };
 
 /// The robot's isectors: which are active, where their lines are, and what those met.
 ///
-/// Dynamic loading (as the robot file's `motions` say): an isector, and a segment of it, is cast only while one of its
-/// motions is commanded. TRIPOD is always cast: the robot stands on it; so is LOS_FRONT, for the
-/// clearance ahead. Lines of TRIPOD and of height isectors turn with the heading only: they stay
-/// vertical, and take their highest hit.
+/// Dynamic loading (as the robot file's `motions` say): an isector, and a segment of it, is cast
+/// only while one of its motions is commanded. TRIPOD is always cast: the robot stands on it; so is
+/// LOS_FRONT, for the clearance ahead. Lines of TRIPOD and of height isectors turn with the heading
+/// only: they stay vertical, and take their highest hit.
 class IsectorSet {
  public:
   /// `model` must outlive the set.
-  IsectorSet(const RobotModel& model, uint32_t module_bit,
-             Coverage coverage = Coverage::kExtended);
+  IsectorSet(const RobotModel& model, uint32_t module_bit, Coverage coverage = Coverage::kExtended);
 
   /// Casts all active segments from the current pose. `X_ML`: pose of every link in the module's
   /// local frame. No allocation after the first call.

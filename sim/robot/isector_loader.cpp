@@ -66,8 +66,8 @@ bool IsExtended(const CustomElement& element) {
   if (!element.Has("coverage")) return false;
   const std::string& coverage = element.Text("coverage");
   if (coverage != "paper" && coverage != "extended") {
-    element.Fail(fmt::format("coverage = \"{}\" of <eod:isector>: allowed paper, extended",
-                             coverage));
+    element.Fail(
+        fmt::format("coverage = \"{}\" of <eod:isector>: allowed paper, extended", coverage));
   }
   return coverage == "extended";
 }

@@ -23,9 +23,9 @@ LinkSpec::Kind KindOf(const SdfJoint& joint, const std::filesystem::path& file) 
   if (joint.type == "fixed") return LinkSpec::Kind::kFixed;
   if (joint.type == "revolute") return LinkSpec::Kind::kRevolute;
   if (joint.type == "prismatic") return LinkSpec::Kind::kPrismatic;
-  FailAt(file, joint.line,
-         fmt::format("joint {}: type {}, allowed fixed, revolute, prismatic", joint.name,
-                     joint.type));
+  FailAt(
+      file, joint.line,
+      fmt::format("joint {}: type {}, allowed fixed, revolute, prismatic", joint.name, joint.type));
 }
 
 LinkSpec ToLinkSpec(const SdfModel& sdf, const SdfJoint& joint, int parent, int parent_in_sdf,
@@ -58,8 +58,8 @@ JointSpec ReadJoint(const SdfJoint& joint, const CustomElement& motion) {
                  .negative_motion = MotionOf(motion, "negative")};
   if (turns) spec.home *= std::numbers::pi / 180;
   if (!(spec.lower < spec.upper) || !std::isfinite(spec.upper - spec.lower)) {
-    motion.Fail(fmt::format("joint {}: limits {}..{} leave no room", joint.name, spec.lower,
-                            spec.upper));
+    motion.Fail(
+        fmt::format("joint {}: limits {}..{} leave no room", joint.name, spec.lower, spec.upper));
   }
   if (!(spec.rate > 0) || !std::isfinite(spec.rate)) {
     motion.Fail(fmt::format("joint {}: rate {}, needs <velocity> above 0 in <limit>", joint.name,
@@ -98,8 +98,8 @@ void ReadFollowers(const SdfModel& sdf, const std::array<JointSpec, kJointCount>
     const auto found = std::find_if(joints.begin(), joints.end(),
                                     [&](const JointSpec& joint) { return joint.name == leader; });
     if (found == joints.end()) {
-      follows->Fail(fmt::format("joint = \"{}\" of <eod:follows>: no joint with <eod:motion>",
-                                leader));
+      follows->Fail(
+          fmt::format("joint = \"{}\" of <eod:follows>: no joint with <eod:motion>", leader));
     }
     SetFollower(*follows, static_cast<int>(found - joints.begin()), *moved[i]);
   }
@@ -161,9 +161,8 @@ std::array<JointSpec, kJointCount> ReadJoints(const SdfModel& sdf,
   std::vector<std::vector<LinkSpec>::iterator> moved;  // by place of the joint in the file
   for (const SdfJoint& joint : sdf.joints) {
     AllowElements(joint.customs, {"motion", "follows"}, "joint " + joint.name);
-    moved.push_back(std::find_if(links.begin(), links.end(), [&](const LinkSpec& link) {
-      return link.name == joint.child;
-    }));
+    moved.push_back(std::find_if(links.begin(), links.end(),
+                                 [&](const LinkSpec& link) { return link.name == joint.child; }));
     const CustomElement* motion = FindElement(joint.customs, "motion");
     if (motion == nullptr) continue;
     const int index = motion->Integer("index", 1, kJointCount) - 1;

@@ -8,8 +8,8 @@ namespace {
 
 template <typename Named>
 int IndexOfName(const std::vector<Named>& list, std::string_view name) {
-  const auto found = std::find_if(list.begin(), list.end(),
-                                  [name](const Named& one) { return one.name == name; });
+  const auto found =
+      std::find_if(list.begin(), list.end(), [name](const Named& one) { return one.name == name; });
   return found == list.end() ? -1 : static_cast<int>(found - list.begin());
 }
 

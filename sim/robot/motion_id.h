@@ -9,11 +9,28 @@ inline constexpr int kJointCount = 9;
 
 /// Index of a motion: M01 is 0. Even and odd neighbours are opposites: `motion ^ 1`.
 enum MotionId : int {
-  kDriveForward, kDriveReverse, kTurnLeft, kTurnRight,
-  kFrontFlipperUp, kFrontFlipperDown, kRearFlipperUp, kRearFlipperDown,
-  kBigArmUp, kBigArmDown, kSmallArmUp, kSmallArmDown, kWristUp, kWristDown,
-  kGripperCcw, kGripperCw, kGripperOpen, kGripperClose,
-  kCameraPanLeft, kCameraPanRight, kCameraTiltUp, kCameraTiltDown,
+  kDriveForward,
+  kDriveReverse,
+  kTurnLeft,
+  kTurnRight,
+  kFrontFlipperUp,
+  kFrontFlipperDown,
+  kRearFlipperUp,
+  kRearFlipperDown,
+  kBigArmUp,
+  kBigArmDown,
+  kSmallArmUp,
+  kSmallArmDown,
+  kWristUp,
+  kWristDown,
+  kGripperCcw,
+  kGripperCw,
+  kGripperOpen,
+  kGripperClose,
+  kCameraPanLeft,
+  kCameraPanRight,
+  kCameraTiltUp,
+  kCameraTiltDown,
 };
 
 /// Set of motions: bit m is motion m (M01 is bit 0).
@@ -26,14 +43,31 @@ constexpr bool Contains(MotionSet set, int motion) { return (set >> motion & 1u)
 
 /// Index of a joint: J1 is 0.
 enum JointId : int {
-  kFrontFlipper, kRearFlipper, kBigArm, kSmallArm, kWrist, kGripperRoll, kGripperOpening,
-  kCameraPan, kCameraTilt,
+  kFrontFlipper,
+  kRearFlipper,
+  kBigArm,
+  kSmallArm,
+  kWrist,
+  kGripperRoll,
+  kGripperOpening,
+  kCameraPan,
+  kCameraTilt,
 };
 
 /// Robot parts that an alarm names; the bits of ROB_ALARM.HitPart.
 enum class Part : int {
-  kFrontLeftWheel, kFrontRightWheel, kRearLeftWheel, kRearRightWheel, kLeftHand, kRightHand,
-  kCrossbeam, kChassis, kBigArm, kSmallArm, kMast, kHeldBomb,
+  kFrontLeftWheel,
+  kFrontRightWheel,
+  kRearLeftWheel,
+  kRearRightWheel,
+  kLeftHand,
+  kRightHand,
+  kCrossbeam,
+  kChassis,
+  kBigArm,
+  kSmallArm,
+  kMast,
+  kHeldBomb,
 };
 
 }  // namespace eod::sim

@@ -71,8 +71,9 @@ void RequireTripod(const SdfModel& sdf, const RobotModel& model) {
 
 void RequireCameras(const SdfModel& sdf, const RobotModel& model) {
   for (const char* name : {"drive", "gripper", "mast", "rear"}) {
-    const bool given = std::any_of(model.cameras.begin(), model.cameras.end(),
-                                   [name](const CameraSpec& camera) { return camera.name == name; });
+    const bool given =
+        std::any_of(model.cameras.begin(), model.cameras.end(),
+                    [name](const CameraSpec& camera) { return camera.name == name; });
     if (!given) {
       FailAt(model.file, sdf.line, fmt::format("model {}: camera {} is missing", sdf.name, name));
     }

@@ -49,8 +49,8 @@ struct SegmentSpec {
   Eigen::Vector3d start = Eigen::Vector3d::Zero();
   Eigen::Vector3d direction = Eigen::Vector3d::UnitY();  ///< unit
   double length = 0;                                     ///< [m]
-  double d0 = 0;           ///< [m] D0 of Eq. 2, carrier's own size included
-  double skin = 0.02;      ///< [m] part of d0 beyond the carrier: V0 = skin / dt
+  double d0 = 0;                    ///< [m] D0 of Eq. 2, carrier's own size included
+  double skin = 0.02;               ///< [m] part of d0 beyond the carrier: V0 = skin / dt
   MotionSet motions = kAllMotions;  ///< live only while one of these is commanded
 };
 
@@ -60,10 +60,10 @@ struct IsectorSpec {
   IsectorMethod method = IsectorMethod::kBump;
   int link = 0;
   Eigen::Isometry3d X_LI = Eigen::Isometry3d::Identity();
-  uint32_t class_mask = 0;         ///< proxy and object classes it looks for, module bit apart
-  MotionSet motions = kAllMotions; ///< active while one of these is commanded; kAlways: ever
-  Part part = Part::kChassis;      ///< part that an alarm names
-  bool extended = false;           ///< beyond the source paper's set, see Coverage in isector_set.h
+  uint32_t class_mask = 0;          ///< proxy and object classes it looks for, module bit apart
+  MotionSet motions = kAllMotions;  ///< active while one of these is commanded; kAlways: ever
+  Part part = Part::kChassis;       ///< part that an alarm names
+  bool extended = false;  ///< beyond the source paper's set, see Coverage in isector_set.h
   std::vector<SegmentSpec> segments;
 };
 
@@ -94,12 +94,13 @@ struct RobotModel {
   std::vector<LinkVisual> visuals;
   std::array<double, 3> drive_speed{};  ///< [m/s] creep, low, high
   double turn_rate = 0;                 ///< [rad/s] at 100 %, any range
-  double step_up_limit = 0.45;          ///< [m] ground is looked for from this far above the wheels ...
-  double fall_search = 3.0;             ///< [m] ... to this far below
+  double step_up_limit = 0.45;  ///< [m] ground is looked for from this far above the wheels ...
+  double fall_search = 3.0;     ///< [m] ... to this far below
 };
 
-/// Reads and checks a robot. Throws std::runtime_error with one line "FILE:LINE: …": not nine joints
-/// with 22 motions, a link, joint or camera that is missing, a bad number, an unknown eod: element.
+/// Reads and checks a robot. Throws std::runtime_error with one line "FILE:LINE: …": not nine
+/// joints with 22 motions, a link, joint or camera that is missing, a bad number, an unknown eod:
+/// element.
 RobotModel LoadRobot(const std::filesystem::path& file);
 
 /// State at the home pose, standing at the origin.

@@ -15,7 +15,8 @@ struct LinkTree {
 };
 LinkTree ReadLinks(const SdfModel& sdf, const std::filesystem::path& file);
 
-/// The nine joints, with their motions; sets LinkSpec::joint, scale and hand of the links they move.
+/// The nine joints, with their motions; sets LinkSpec::joint, scale and hand of the links they
+/// move.
 std::array<JointSpec, kJointCount> ReadJoints(const SdfModel& sdf,
                                               const std::filesystem::path& file,
                                               std::vector<LinkSpec>& links);

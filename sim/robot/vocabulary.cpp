@@ -11,10 +11,18 @@ namespace eod::sim {
 
 namespace {
 
-constexpr std::array<std::string_view, 12> kParts = {
-    "front_left_wheel", "front_right_wheel", "rear_left_wheel", "rear_right_wheel",
-    "left_hand",        "right_hand",        "crossbeam",       "chassis",
-    "big_arm",          "small_arm",         "mast",            "held_bomb"};
+constexpr std::array<std::string_view, 12> kParts = {"front_left_wheel",
+                                                     "front_right_wheel",
+                                                     "rear_left_wheel",
+                                                     "rear_right_wheel",
+                                                     "left_hand",
+                                                     "right_hand",
+                                                     "crossbeam",
+                                                     "chassis",
+                                                     "big_arm",
+                                                     "small_arm",
+                                                     "mast",
+                                                     "held_bomb"};
 
 constexpr std::array<std::string_view, 8> kMethods = {"volume", "hat", "z",      "zpr",
                                                       "xyzpr",  "los", "tripod", "bump"};

@@ -15,8 +15,8 @@ namespace eod::sim {
 /// Throws std::runtime_error "FILE:LINE: TEXT"; without a line if it is 0.
 [[noreturn]] void FailAt(const std::filesystem::path& file, int line, const std::string& text);
 
-/// An element of our own in an SDFormat file: `<eod:NAME attribute="…">`, which other tools pass over.
-/// What SDFormat has no word for (isectors, modules, proxies) is said with them.
+/// An element of our own in an SDFormat file: `<eod:NAME attribute="…">`, which other tools pass
+/// over. What SDFormat has no word for (isectors, modules, proxies) is said with them.
 struct CustomElement {
   std::filesystem::path file;
   int line = 0;
@@ -38,7 +38,8 @@ struct CustomElement {
   [[noreturn]] void Fail(const std::string& text) const { FailAt(file, line, text); }
 };
 
-/// Throws "FILE:LINE: …" for the first element whose name is not in `allowed`; `where` names the owner.
+/// Throws "FILE:LINE: …" for the first element whose name is not in `allowed`; `where` names the
+/// owner.
 void AllowElements(const std::vector<CustomElement>& elements,
                    std::initializer_list<std::string_view> allowed, std::string_view where);
 

@@ -37,7 +37,8 @@ int LineOfError(const sdf::Error& error, const std::string& text) {
 
 sdf::Root Load(const std::filesystem::path& file) {
   const std::string text = ReadNumberedSdf(file);
-  // Errors come back as values. What libsdformat cannot read, it tries as URDF, which talks elsewhere.
+  // Errors come back as values. What libsdformat cannot read, it tries as URDF, which talks
+  // elsewhere.
   sdf::Console::Instance()->SetQuiet(true);
   console_bridge::noOutputHandler();
   sdf::ParserConfig config;
@@ -57,9 +58,9 @@ void ReadAir(const sdf::World& world, SdfWorld& result) {
     const sdf::Light& light = *world.LightByIndex(i);
     if (light.Type() != sdf::LightType::DIRECTIONAL) continue;
     const auto direction = light.Direction().Normalized();
-    result.sun = SdfSun{.direction = Eigen::Vector3d(direction.X(), direction.Y(), direction.Z())
-                                         .cast<float>(),
-                        .colour = ToColour(light.Diffuse())};
+    result.sun = SdfSun{
+        .direction = Eigen::Vector3d(direction.X(), direction.Y(), direction.Z()).cast<float>(),
+        .colour = ToColour(light.Diffuse())};
   }
   const sdf::Scene* scene = world.Scene();
   if (scene == nullptr || !scene->Element()) return;

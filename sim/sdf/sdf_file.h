@@ -13,8 +13,8 @@
 
 namespace eod::sim {
 
-/// What stands in an SDFormat file, as plain data: poses resolved, shapes cut into triangles. The only
-/// folder that includes libsdformat hides behind these structs.
+/// What stands in an SDFormat file, as plain data: poses resolved, shapes cut into triangles. The
+/// only folder that includes libsdformat hides behind these structs.
 
 struct SdfVisual {
   std::string name;

@@ -28,7 +28,10 @@ constexpr int kCylinderSides = 24;
 constexpr int kSphereRings = 8;
 
 CustomElement ToCustom(const sdf::ElementPtr& element, const std::filesystem::path& file) {
-  CustomElement custom{.file = file, .line = 0, .name = element->GetName(), .attributes = {},
+  CustomElement custom{.file = file,
+                       .line = 0,
+                       .name = element->GetName(),
+                       .attributes = {},
                        .children = CustomsOf(element, file)};
   custom.name.erase(0, kPrefix.size());
   for (const sdf::ParamPtr& attribute : element->GetAttributes()) {
@@ -81,7 +84,8 @@ Shape ToShape(const sdf::Geometry& geometry, const std::vector<CustomElement>& c
                           cone != nullptr);
     case sdf::GeometryType::SPHERE: {
       const double radius = geometry.SphereShape()->Radius();
-      return {.kind = Visual::Shape::kSphere, .size = Eigen::Vector3d::Constant(radius),
+      return {.kind = Visual::Shape::kSphere,
+              .size = Eigen::Vector3d::Constant(radius),
               .mesh = SphereMesh(radius, kSphereRings, kCylinderSides)};
     }
     case sdf::GeometryType::PLANE: {
@@ -139,8 +143,8 @@ SdfCollision ToCollision(const sdf::Collision& collision, const std::filesystem:
   AllowElements(customs, {"proxy", "cone", "grid"}, "collision " + collision.Name());
   Shape shape = ToShape(*collision.Geom(), customs, collision.Element(), file);
   SdfCollision result{.name = collision.Name(), .triangles = {}};
-  result.triangles = Transformed(
-      Resolve(collision.SemanticPose(), "", collision.Element(), file), std::move(shape.mesh));
+  result.triangles = Transformed(Resolve(collision.SemanticPose(), "", collision.Element(), file),
+                                 std::move(shape.mesh));
   if (const CustomElement* proxy = FindElement(customs, "proxy")) {
     proxy->AllowAttributes({"kind"});
     const std::string& kind = proxy->Text("kind");
@@ -168,13 +172,14 @@ SdfCamera ToCamera(const sdf::Sensor& sensor, const std::filesystem::path& file)
 }
 
 SdfJoint ToJoint(const sdf::Joint& joint, const std::filesystem::path& file) {
-  SdfJoint result{.name = joint.Name(),
-                  .line = LineOf(joint.Element()),
-                  .type = joint.Element()->GetAttribute("type")->GetAsString(),
-                  .parent = joint.ParentLinkName(),
-                  .child = joint.ChildLinkName(),
-                  .X_LJ = Resolve(joint.SemanticPose(), joint.ChildLinkName(), joint.Element(), file),
-                  .customs = CustomsOf(joint.Element(), file)};
+  SdfJoint result{
+      .name = joint.Name(),
+      .line = LineOf(joint.Element()),
+      .type = joint.Element()->GetAttribute("type")->GetAsString(),
+      .parent = joint.ParentLinkName(),
+      .child = joint.ChildLinkName(),
+      .X_LJ = Resolve(joint.SemanticPose(), joint.ChildLinkName(), joint.Element(), file),
+      .customs = CustomsOf(joint.Element(), file)};
   if (const sdf::JointAxis* axis = joint.Axis()) {
     ignition::math::Vector3d direction;
     const sdf::Errors errors = axis->ResolveXyz(direction, joint.ChildLinkName());

@@ -54,8 +54,8 @@ int LineOfWord(const std::string& text, const std::string& word) {
   for (const std::string& quoted : {'"' + word + '"', '>' + word + '<'}) {
     const size_t at = text.find(quoted);
     if (at == std::string::npos) continue;
-    return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<ptrdiff_t>(at),
-                                           '\n'));
+    return 1 + static_cast<int>(
+                   std::count(text.begin(), text.begin() + static_cast<ptrdiff_t>(at), '\n'));
   }
   return 0;
 }

@@ -9,8 +9,8 @@
 
 namespace eod::sim {
 
-/// World of exact shapes: infinite planes and boxes. For tests that derive their numbers, and as the
-/// second form behind the seam.
+/// World of exact shapes: infinite planes and boxes. For tests that derive their numbers, and as
+/// the second form behind the seam.
 class AnalyticWorld final : public World {
  public:
   /// Half-space below the plane through `point` with the unit normal `n_M`.

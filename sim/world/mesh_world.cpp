@@ -27,10 +27,10 @@ SegmentHit MeshWorld::Cast(const SegmentQuery& query, uint64_t& candidates) cons
   const FaceRule face_rule = from_end ? FaceRule::kTwoSided : query.face_rule;
   const Eigen::Vector3d end = query.start + query.length * query.direction;
   const TriangleTree::Nearest nearest =
-      from_end ? tree_.Cast(end, -query.direction, query.length, query.class_mask, face_rule,
-                            candidates)
-               : tree_.Cast(query.start, query.direction, query.length, query.class_mask,
-                            face_rule, candidates);
+      from_end
+          ? tree_.Cast(end, -query.direction, query.length, query.class_mask, face_rule, candidates)
+          : tree_.Cast(query.start, query.direction, query.length, query.class_mask, face_rule,
+                       candidates);
   SegmentHit hit;
   if (nearest.triangle < 0) return hit;
   const CollisionTriangle& triangle = triangles_[static_cast<size_t>(nearest.triangle)];

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kLeafSize = 4;
 constexpr int kBins = 16;
-constexpr int kMaxDepth = 48;  // beyond this a branch becomes one leaf, whatever its size
+constexpr int kMaxDepth = 48;        // beyond this a branch becomes one leaf, whatever its size
 constexpr double kBoxMargin = 1e-6;  // [m] more than any rounding of the exact test
 
 }  // namespace
@@ -29,8 +29,8 @@ struct TriangleTree::Split {
   double position;
 };
 
-/// Inverse direction for slab tests; a component of 0 becomes a huge number, never infinite, so that
-/// no NaN arises on a box's face.
+/// Inverse direction for slab tests; a component of 0 becomes a huge number, never infinite, so
+/// that no NaN arises on a box's face.
 struct TriangleTree::Ray {
   Vector3d start, inverse;
 
@@ -92,8 +92,8 @@ TriangleTree::TriangleTree(std::span<const CollisionTriangle> triangles) {
   if (!items.empty()) Build(0, items, 0, 0);
   entries_.reserve(items.size());
   for (const Item& item : items) {
-    entries_.push_back({triangles[static_cast<size_t>(item.triangle)].corner, item.class_mask,
-                        item.triangle});
+    entries_.push_back(
+        {triangles[static_cast<size_t>(item.triangle)].corner, item.class_mask, item.triangle});
   }
 }
 
@@ -137,8 +137,8 @@ void TriangleTree::Build(int node, std::span<Item> items, int offset, int depth)
     bounds.Add(item.box.low, item.box.high, 1);
     classes |= item.class_mask;
   }
-  nodes_[static_cast<size_t>(node)] = {{bounds.low, bounds.high}, classes, offset,
-                                       static_cast<int>(items.size())};
+  nodes_[static_cast<size_t>(node)] = {
+      {bounds.low, bounds.high}, classes, offset, static_cast<int>(items.size())};
   if (items.size() <= kLeafSize || depth >= kMaxDepth) return;
   const std::optional<Split> split = BestSplit(items);
   if (!split) return;

@@ -12,8 +12,8 @@
 
 namespace eod::sim {
 
-/// Bounding-volume tree over triangles that stand still, in double. Built once by binned surface-area
-/// heuristic; the same triangles always give the same tree.
+/// Bounding-volume tree over triangles that stand still, in double. Built once by binned
+/// surface-area heuristic; the same triangles always give the same tree.
 class TriangleTree {
  public:
   struct Nearest {

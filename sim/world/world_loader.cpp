@@ -24,16 +24,15 @@ FramedModule ReadModule(const CustomElement& element, const SdfWorld& sdf) {
   element.AllowAttributes({"id", "name", "frame", "size_x_m", "size_y_m", "start_heading_deg"});
   FramedModule result;
   result.frame = element.Text("frame");
-  const auto frame = std::find_if(sdf.frames.begin(), sdf.frames.end(), [&](const SdfFrame& one) {
-    return one.name == result.frame;
-  });
+  const auto frame = std::find_if(sdf.frames.begin(), sdf.frames.end(),
+                                  [&](const SdfFrame& one) { return one.name == result.frame; });
   if (frame == sdf.frames.end()) {
-    element.Fail(fmt::format("frame = \"{}\" of <eod:module>: the world has no such frame",
-                             result.frame));
+    element.Fail(
+        fmt::format("frame = \"{}\" of <eod:module>: the world has no such frame", result.frame));
   }
   if (!frame->X_WF.linear().isIdentity(1e-12)) {
-    element.Fail(fmt::format("frame {} of <eod:module> is turned; only a shift is allowed",
-                             result.frame));
+    element.Fail(
+        fmt::format("frame {} of <eod:module> is turned; only a shift is allowed", result.frame));
   }
   ModuleModel& module = result.module;
   module.id = element.Integer("id", 1, kModules);
@@ -112,13 +111,12 @@ WorldModel LoadWorld(const std::filesystem::path& file) {
   if (framed.empty()) FailAt(file, sdf.line, "world needs an <eod:module>");
   for (const SdfModel& model : sdf.models) {
     const auto owner =
-        std::find_if(framed.begin(), framed.end(), [&model](const FramedModule& one) {
-          return one.frame == model.relative_to;
-        });
+        std::find_if(framed.begin(), framed.end(),
+                     [&model](const FramedModule& one) { return one.frame == model.relative_to; });
     if (owner == framed.end()) {
-      FailAt(file, model.line,
-             fmt::format("model {}: its <pose> needs relative_to=\"FRAME\" of a module",
-                         model.name));
+      FailAt(
+          file, model.line,
+          fmt::format("model {}: its <pose> needs relative_to=\"FRAME\" of a module", model.name));
     }
     AddModel(model, file, owner->module);
   }

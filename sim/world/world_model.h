@@ -37,8 +37,9 @@ struct ModuleModel {
   std::string name;
   uint32_t class_bit = 0;
   Eigen::Vector3d origin_W = Eigen::Vector3d::Zero();  ///< local origin in W [m]
-  Eigen::Vector2d half_size = Eigen::Vector2d::Zero();  ///< [m] the area reaches this far from the origin
-  Attitude start_attitude;                             ///< at the local origin
+  Eigen::Vector2d half_size =
+      Eigen::Vector2d::Zero();  ///< [m] the area reaches this far from the origin
+  Attitude start_attitude;      ///< at the local origin
   std::vector<WorldObject> objects;
   std::vector<CollisionTriangle> triangles;
 };

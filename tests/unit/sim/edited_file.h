@@ -15,8 +15,7 @@ namespace eod::sim {
 class EditedFile {
  public:
   explicit EditedFile(const std::filesystem::path& original)
-      : folder_(std::filesystem::temp_directory_path() /
-                ("edited_" + std::to_string(getpid()))),
+      : folder_(std::filesystem::temp_directory_path() / ("edited_" + std::to_string(getpid()))),
         file_(folder_ / original.filename()) {
     std::filesystem::create_directories(folder_);
     std::filesystem::copy(original.parent_path() / "meshes", folder_ / "meshes",
@@ -49,7 +48,8 @@ class EditedFile {
 
  private:
   std::string PlaceOf(size_t at) const {
-    const auto line = 1 + std::count(text_.begin(), text_.begin() + static_cast<ptrdiff_t>(at), '\n');
+    const auto line =
+        1 + std::count(text_.begin(), text_.begin() + static_cast<ptrdiff_t>(at), '\n');
     return file_.string() + ":" + std::to_string(line) + ": ";
   }
 

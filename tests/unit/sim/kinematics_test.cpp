@@ -40,14 +40,14 @@ class Kinematics : public ::testing::Test {
 
 TEST_F(Kinematics, PresetPosesBringTheHandToTheirTargets) {
   struct Row {
-    double y, z, pitch;          // hand centre [m], hand [deg]
-    double big, small, wrist;    // J3, J4, J5 [deg], rounded to 0.1
+    double y, z, pitch;        // hand centre [m], hand [deg]
+    double big, small, wrist;  // J3, J4, J5 [deg], rounded to 0.1
   };
   // 0.1 deg of rounding at 1.5 m of reach is 2.6 mm at most; the three roundings add up in part.
-  for (const Row& row : {Row{1.20, 0.12, -20, 14.7, 108.7, 36.5}, Row{1.05, 0.12, -45, 24.2, 93.6, 17.2},
-                         Row{1.15, 0.87, 0, 54.3, 99.3, 26.4}, Row{1.30, 0.15, 0, 7.0, 123.9, 49.1},
-                         Row{0.85, 0.80, 0, 70.1, 65.5, 44.4},
-                         Row{1.05, 1.15, -60, 57.1, 138.0, -75.1}}) {
+  for (const Row& row :
+       {Row{1.20, 0.12, -20, 14.7, 108.7, 36.5}, Row{1.05, 0.12, -45, 24.2, 93.6, 17.2},
+        Row{1.15, 0.87, 0, 54.3, 99.3, 26.4}, Row{1.30, 0.15, 0, 7.0, 123.9, 49.1},
+        Row{0.85, 0.80, 0, 70.1, 65.5, 44.4}, Row{1.05, 1.15, -60, 57.1, 138.0, -75.1}}) {
     SetArm(row.big, row.small, row.wrist);
     const Vector3d hand = OnFingers(kHandCentre);
     EXPECT_NEAR(hand.x(), 0, 1e-12);

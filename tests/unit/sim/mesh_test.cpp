@@ -51,8 +51,8 @@ TEST(Mesh, PlaneIsCutIntoCellsThatFaceUp) {
 class ObjFile : public ::testing::Test {
  protected:
   std::filesystem::path Write(const std::string& text) {
-    const auto file = std::filesystem::temp_directory_path() /
-                      ("mesh_test_" + std::to_string(getpid()) + ".obj");
+    const auto file =
+        std::filesystem::temp_directory_path() / ("mesh_test_" + std::to_string(getpid()) + ".obj");
     std::ofstream(file) << text;
     return file;
   }

@@ -47,11 +47,10 @@ TEST(Pose, PositiveRollPutsTheRightSideDown) {
 
 TEST(Pose, RotationIsHeadingThenPitchThenRoll) {
   const Attitude attitude = FromDegrees(140, 15, -20);
-  const Eigen::Matrix3d expected =
-      (Eigen::AngleAxisd(attitude.heading, Vector3d::UnitZ()) *
-       Eigen::AngleAxisd(attitude.pitch, Vector3d::UnitX()) *
-       Eigen::AngleAxisd(attitude.roll, Vector3d::UnitY()))
-          .toRotationMatrix();
+  const Eigen::Matrix3d expected = (Eigen::AngleAxisd(attitude.heading, Vector3d::UnitZ()) *
+                                    Eigen::AngleAxisd(attitude.pitch, Vector3d::UnitX()) *
+                                    Eigen::AngleAxisd(attitude.roll, Vector3d::UnitY()))
+                                       .toRotationMatrix();
   EXPECT_TRUE(ToRotation(attitude).isApprox(expected, 1e-14));
 }
 

@@ -94,7 +94,8 @@ TEST_F(RobotErrors, UnknownElementOfOursIsRefused) {
 
 TEST_F(RobotErrors, UnknownAttributeOfOursIsRefused) {
   const std::string place = robot_.Replace("skin=\"0.02\"", "skim=\"0.02\"");
-  EXPECT_THAT(Load(), AllOf(StartsWith(place), HasSubstr("unknown attribute skim"), HasSubstr("skin")));
+  EXPECT_THAT(Load(),
+              AllOf(StartsWith(place), HasSubstr("unknown attribute skim"), HasSubstr("skin")));
 }
 
 TEST_F(RobotErrors, UnknownElementOfSdfIsRefused) {

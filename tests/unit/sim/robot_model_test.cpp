@@ -81,11 +81,11 @@ TEST(RobotModel, ThresholdsIncludeTheCarriersOwnSize) {
     const char* name;
     double d0;
   };
-  for (const Row& row : {Row{"B1", 2, "+Y", 0.12}, Row{"B3", 4, "+Z", 0.105},
-                         Row{"B4", 5, "-Z", 0.105}, Row{"B5", 0, "l1", 0.085},
-                         Row{"B5", 2, "l3", 0.30}, Row{"B6", 0, "l4", 0.02},
-                         Row{"B6", 1, "l5", 0.14}, Row{"B6", 2, "l6", 0.30},
-                         Row{"B7", 0, "l7", 0.14}, Row{"B7", 2, "l9", 0.14}}) {
+  for (const Row& row :
+       {Row{"B1", 2, "+Y", 0.12}, Row{"B3", 4, "+Z", 0.105}, Row{"B4", 5, "-Z", 0.105},
+        Row{"B5", 0, "l1", 0.085}, Row{"B5", 2, "l3", 0.30}, Row{"B6", 0, "l4", 0.02},
+        Row{"B6", 1, "l5", 0.14}, Row{"B6", 2, "l6", 0.30}, Row{"B7", 0, "l7", 0.14},
+        Row{"B7", 2, "l9", 0.14}}) {
     const auto index = static_cast<size_t>(FindIsector(Robot(), row.isector));
     const SegmentSpec& segment = Robot().isectors[index].segments[row.segment];
     EXPECT_EQ(segment.name, row.name);
@@ -122,7 +122,9 @@ TEST(RobotModel, HasFourCamerasThatLookWhereTheyShould) {
       EXPECT_LT((X_WC.translation() - Eigen::Vector3d(0, 0.45, 0.40)).norm(), 1e-12);
       EXPECT_NEAR(camera.horizontal_fov, 75 * kDegree, 1e-9);
     }
-    if (camera.name == "mast") { EXPECT_NEAR(X_WC.translation().z(), 1.20, 1e-12); }
+    if (camera.name == "mast") {
+      EXPECT_NEAR(X_WC.translation().z(), 1.20, 1e-12);
+    }
   }
 }
 

@@ -26,7 +26,9 @@ class TrainingGround : public ::testing::Test {
   /// What a bump line of 10 m from `start` meets first.
   Met Look(const Vector3d& start, const Vector3d& direction) {
     static const std::unique_ptr<World> world = BuildWorld(flat_);
-    const SegmentQuery query{.start = start, .direction = direction, .length = 10,
+    const SegmentQuery query{.start = start,
+                             .direction = direction,
+                             .length = 10,
                              .class_mask = kModuleFlat | kBumpProxy};
     SegmentHit hit;
     CastCounters counters;
@@ -63,7 +65,9 @@ TEST_F(TrainingGround, GroundIsLevelAllOverTheYard) {
     for (double y = -49; y < 50; y += 7.1) {
       const Met met = Look({x, y, 0.02}, -Vector3d::UnitZ());
       // Whatever is met so low is the ground, or something that stands here from the ground up.
-      if (met.object == "ground") { EXPECT_NEAR(met.range, 0.02, 1e-12); }
+      if (met.object == "ground") {
+        EXPECT_NEAR(met.range, 0.02, 1e-12);
+      }
       EXPECT_GE(met.range, 0) << x << " " << y;
     }
   }
@@ -101,7 +105,8 @@ TEST_F(TrainingGround, WayThroughTheGateEndsAtTheBoard) {
 }
 
 TEST_F(TrainingGround, StartPadHasRoomToTurn) {
-  // The circle of 1.3 m round the start pad and round the path's points, at the heights of the robot.
+  // The circle of 1.3 m round the start pad and round the path's points, at the heights of the
+  // robot.
   for (const Vector3d& centre :
        {Vector3d(0, 0, 0), Vector3d(0, 1.9, 0), Vector3d(-2, 1.9, 0), Vector3d(-6.5, 1.9, 0)}) {
     for (double angle = 0; angle < 6.28; angle += 0.1) {
