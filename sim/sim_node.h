@@ -20,7 +20,7 @@ namespace eod::sim {
 
 struct SimNodeConfig {
   std::string channel_prefix;
-  SimulatorConfig simulator;
+  SimulatorConfig simulator = {};
   bool publish_isectors = false;  ///< EOD_ISECTOR_HITS every step
   Duration alarm_repeat = std::chrono::milliseconds(100);
   Duration mission_repeat = std::chrono::milliseconds(200);

@@ -85,8 +85,8 @@ const StepResult& Simulator::Step(TimePoint now, const OperatorCommand& command)
   Cast(wish.demand.commanded);
   Respond(robot_, result_.state, link_poses_, place_->isectors.segments(), wish.demand, dt_s_,
           response_);
-  Move(wish.demand, limited);
-  StandOnGround();
+  // A robot that stands still stands where it stood, to the last bit.
+  if (Move(wish.demand, limited)) StandOnGround();
   Report(command, wish, limited);
   UpdateAlarms(wish.demand.commanded, limited);
   UpdateTask(contacts_before);
@@ -146,7 +146,8 @@ void Simulator::Cast(MotionSet wanted) {
   place_->isectors.Cast(*place_->world, link_poses_, wanted | response_.Watched());
 }
 
-void Simulator::Move(const MotionDemand& wanted, MotionSet limited) {
+/// Returns whether the robot moved, or is falling.
+bool Simulator::Move(const MotionDemand& wanted, MotionSet limited) {
   MotionDemand allowed = wanted;
   allowed.commanded &= ~(response_.blocked | limited);
   for (int motion = 0; motion < kMotionCount; ++motion) {
@@ -154,10 +155,13 @@ void Simulator::Move(const MotionDemand& wanted, MotionSet limited) {
   }
   allowed.left_hand_stopped = (allowed.commanded & response_.left_hand_blocked) != 0;
   allowed.right_hand_stopped = (allowed.commanded & response_.right_hand_blocked) != 0;
-  result_.state = Advance(robot_, result_.state, allowed, dt_s_);
+  const RobotState before = result_.state;
+  result_.state = Advance(robot_, before, allowed, dt_s_);
   result_.speed = SignedRate(robot_, allowed, kDriveForward, kDriveReverse);
   result_.turn_rate = SignedRate(robot_, allowed, kTurnLeft, kTurnRight);
+  if (result_.state == before) return before.fall_speed > 0;
   LinkPoses(robot_, result_.state, link_poses_);
+  return true;
 }
 
 void Simulator::StandOnGround() {

@@ -82,7 +82,7 @@ class Simulator {
   void EnterModule(int id);
   void StandAtStart();
   void Cast(MotionSet wanted);
-  void Move(const MotionDemand& wanted, MotionSet limited);
+  bool Move(const MotionDemand& wanted, MotionSet limited);
   void StandOnGround();
   void UpdateAlarms(MotionSet wanted, MotionSet limited);
   void UpdateTask(uint32_t contacts_before);

@@ -1,0 +1,197 @@
+#include "sim/sim_node.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <lcm/lcm-cpp.hpp>
+
+#include "eod/image_t.hpp"
+
+#include "lcmtypes/channels.h"
+#include "platform/clock.h"
+#include "sim/picture_node.h"
+#include "tests/unit/behaviour/operator.h"
+
+namespace eod::sim {
+namespace {
+
+using std::chrono::milliseconds;
+
+/// Keeps every message of one channel.
+template <typename Message>
+class Inbox {
+ public:
+  Inbox(lcm::LCM& lcm, const std::string& channel) {
+    lcm.subscribe(channel, &Inbox::OnMessage, this);
+  }
+  std::vector<Message> messages;
+
+ private:
+  void OnMessage(const lcm::ReceiveBuffer*, const std::string&, const Message* message) {
+    messages.push_back(*message);
+  }
+};
+
+/// The node on LCM within this process, in virtual time, with somebody who listens and commands.
+class SimNodeTest : public ::testing::Test {
+ protected:
+  static constexpr char kPrefix[] = "T_";
+
+  explicit SimNodeTest(SimNodeConfig config = {.channel_prefix = kPrefix}) : config_(config) {}
+
+  void SetUp() override {
+    dut_ = std::make_unique<SimNode>(config_, TheRobot(), TheWorld(), FirstDrive(), lcm_, clock_);
+    command_.motion_permitted = 1;
+    command_.speed_range = 1;
+  }
+
+  static std::string Name(const Channel& channel) { return ChannelName(kPrefix, channel); }
+
+  void Tick(int times = 1) {
+    for (int i = 0; i < times; ++i) {
+      clock_.Advance(milliseconds(4));
+      dut_->OnTick(clock_.Now());
+      while (lcm_.handleTimeout(0) > 0) {
+      }
+    }
+  }
+  void Command(std::initializer_list<int> motions, int ticks) {
+    for (double& rate : command_.motion_rate) rate = 0;
+    for (const int motion : motions) command_.motion_rate[motion] = 1;
+    for (int i = 0; i < ticks; ++i) {
+      ++command_.sequence;
+      lcm_.publish(Name(kBoxCommandChannel), &command_);
+      while (lcm_.handleTimeout(0) > 0) {
+      }
+      Tick();
+    }
+  }
+
+  SimNodeConfig config_;
+  lcm::LCM lcm_{"memq://"};
+  ManualClock clock_{TimePoint{std::chrono::seconds(1000)}};
+  std::unique_ptr<SimNode> dut_;
+  box_command_t command_{};
+};
+
+TEST_F(SimNodeTest, StatePublishedEveryStepCarriesTheScheduledTimeAndWorldPose) {
+  Inbox<robot_state_t> states(lcm_, Name(kRobotStateChannel));
+  Command({kDriveForward}, 10);
+  ASSERT_EQ(states.messages.size(), 10u);
+  const robot_state_t& state = states.messages.back();
+  EXPECT_EQ(state.utime, 1000'040'000);
+  EXPECT_EQ(state.step, 10);
+  EXPECT_EQ(state.module, 1);
+  // Start pad of module flat in W, and ten steps of 1.2 mm to the north.
+  EXPECT_NEAR(state.position_m[0], TheWorld().Module(1).origin_W.x(), 1e-9);
+  EXPECT_NEAR(state.position_m[1], TheWorld().Module(1).origin_W.y() + 0.012, 1e-9);
+  EXPECT_NEAR(state.joint[kFrontFlipper], 90, 1e-9);
+  EXPECT_NEAR(state.speed_mps, 0.30, 1e-12);
+  EXPECT_EQ(state.command_sequence, 10);
+}
+
+TEST_F(SimNodeTest, AlarmChangesAreToldAtOnceAndTheSetIsRepeated) {
+  Inbox<alarm_t> alarms(lcm_, Name(kAlarmChannel));
+  Inbox<robot_state_t> states(lcm_, Name(kRobotStateChannel));
+  Command({kDriveForward}, 3200);  // at the wall after 3.475 m, 2896 steps
+  size_t changes = 0;
+  for (size_t i = 0; i < alarms.messages.size(); ++i) {
+    const alarm_t& alarm = alarms.messages[i];
+    EXPECT_EQ(alarm.source, alarm_t::SOURCE_SIM);
+    EXPECT_EQ(alarm.num_active, static_cast<int>(alarm.active_code.size()));
+    if (i > 0) {
+      EXPECT_LE(alarm.utime - alarms.messages[i - 1].utime, 100'000);
+    }
+    if (alarm.is_repeat) continue;
+    ++changes;
+    if (changes > 1) continue;  // the push after the alarm comes later
+    EXPECT_EQ(alarm.code, 0x10);
+    EXPECT_TRUE(alarm.raised);
+    EXPECT_EQ(alarm.parts, 1 << static_cast<int>(Part::kChassis));
+    EXPECT_EQ(alarm.active_code, std::vector<int16_t>{0x10});
+    // The alarm belongs to the step whose state first shows the contact.
+    const auto first = std::find_if(states.messages.begin(), states.messages.end(),
+                                    [](const auto& state) { return state.contact_parts != 0; });
+    ASSERT_NE(first, states.messages.end());
+    EXPECT_EQ(alarm.utime, first->utime);
+  }
+  EXPECT_EQ(changes, 2u);
+}
+
+TEST_F(SimNodeTest, MissionIsToldOnChangeAndEvery200Milliseconds) {
+  Inbox<mission_status_t> missions(lcm_, Name(kMissionStatusChannel));
+  Tick(100);
+  EXPECT_EQ(missions.messages.size(), 2u);  // at 4 ms and at 204 ms
+  command_.menu_module = 1;
+  command_.menu_command = kMenuStart;
+  Command({}, 1);
+  ASSERT_EQ(missions.messages.size(), 3u);
+  EXPECT_EQ(missions.messages.back().state, mission_status_t::STATE_RUN);
+  EXPECT_EQ(missions.messages.back().scenario, "flat_first_drive");
+  EXPECT_EQ(missions.messages.back().steps, 4);
+  EXPECT_EQ(missions.messages.back().step_text, "Drive forward until the wall stops you");
+}
+
+TEST_F(SimNodeTest, NewestCommandWinsAndItsAgeCountsFromItsArrival) {
+  Inbox<robot_state_t> states(lcm_, Name(kRobotStateChannel));
+  Command({kDriveForward}, 1);
+  // Arrived 4 ms before the first step: the last step that obeys is at 96 ms of age.
+  Tick(40);
+  int moving = 0;
+  for (const robot_state_t& state : states.messages) moving += state.speed_mps > 0 ? 1 : 0;
+  EXPECT_EQ(moving, 24);
+}
+
+TEST_F(SimNodeTest, ScenesAreShownAtTheCamerasRateNotAtTheStepsRate) {
+  std::vector<SceneSnapshot> scenes;
+  dut_->SetSceneOutput({.show = [&](const SceneSnapshot& scene) { scenes.push_back(scene); },
+                        .period = milliseconds(40),
+                        .draw_isectors = true});
+  Command({kDriveForward}, 250);  // 1 s
+  EXPECT_EQ(scenes.size(), 25u);
+  EXPECT_EQ(scenes[1].time - scenes[0].time, milliseconds(40));
+  EXPECT_GT(scenes.back().state.position.y(), 0.2);
+  EXPECT_GT(scenes.back().segments.size(), 3u);
+}
+
+class IsectorNodeTest : public SimNodeTest {
+ protected:
+  IsectorNodeTest() : SimNodeTest({.channel_prefix = kPrefix, .publish_isectors = true}) {}
+};
+
+TEST_F(IsectorNodeTest, HitsAreInTheWorldFrame) {
+  Inbox<isector_hits_t> hits(lcm_, Name(kIsectorHitsChannel));
+  Tick();
+  ASSERT_EQ(hits.messages.size(), 1u);
+  const isector_hits_t& message = hits.messages[0];
+  const auto found = std::find(message.isector.begin(), message.isector.end(), "LOS_FRONT");
+  ASSERT_NE(found, message.isector.end());
+  const auto i = static_cast<size_t>(found - message.isector.begin());
+  // From the chassis front at y = 0.475 to the wall's face at 4.0.
+  EXPECT_TRUE(message.hit[i]);
+  EXPECT_EQ(message.object[i], "wall");
+  EXPECT_NEAR(message.range_m[i], 4.0 - 0.475, 1e-3);
+  EXPECT_NEAR(message.start_m[i][1], TheWorld().Module(1).origin_W.y() + 0.475, 1e-9);
+}
+
+TEST(PictureNode, PublishesJpegOnTheCamerasChannel) {
+  lcm::LCM lcm("memq://");
+  Inbox<image_t> images(lcm, "T_EOD_CAMERA_MAST");
+  PictureNode dut(lcm, "T_");
+  const std::vector<uint8_t> jpeg = {0xFF, 0xD8, 0xFF, 0xD9};
+  dut.Publish({.camera = "mast",
+               .time = TimePoint{milliseconds(8)},
+               .width = 320,
+               .height = 240,
+               .jpeg = jpeg});
+  dut.Publish({.camera = "nobody's", .time = {}, .width = 1, .height = 1, .jpeg = jpeg});
+  while (lcm.handleTimeout(0) > 0) {
+  }
+  ASSERT_EQ(images.messages.size(), 1u);
+  EXPECT_EQ(images.messages[0].utime, 8000);
+  EXPECT_EQ(images.messages[0].width, 320);
+  EXPECT_EQ(images.messages[0].pixelformat, image_t::PIXEL_FORMAT_MJPEG);
+  EXPECT_EQ(images.messages[0].data, jpeg);
+}
+
+}  // namespace
+}  // namespace eod::sim
