@@ -25,7 +25,7 @@ class Direction {
             std::span<const std::string_view> names, const std::vector<Role<State>>& roles,
             const std::map<std::string, MappedMessage>& messages,
             const std::map<std::string, MappedSignal>& signals) {
-    CheckMessages(map, messages, roles, signals);
+    CheckMessages(database, map, messages, roles, signals);
     for (size_t i = 0; i < plans_.size(); ++i) {
       const auto mapped = messages.find(std::string(names[i]));
       if (mapped == messages.end()) continue;
@@ -82,13 +82,14 @@ class Direction {
   }
 
  private:
-  /// No message twice, and every signal in one of them.
-  static void CheckMessages(const ControlMap& map,
+  /// Every message in the DBC, none twice, and every signal in one of them.
+  static void CheckMessages(const Database& database, const ControlMap& map,
                             const std::map<std::string, MappedMessage>& messages,
                             const std::vector<Role<State>>& roles,
                             const std::map<std::string, MappedSignal>& signals) {
     std::vector<std::string> used;
     for (const auto& [role, mapped] : messages) {
+      FindMappedMessage(database, map, mapped);
       if (std::find(used.begin(), used.end(), mapped.message) != used.end()) {
         Fail(map, mapped.line,
              fmt::format("{} = \"{}\": the message has a role already", role, mapped.message));
