@@ -129,7 +129,7 @@ void LinkSupervision::TakeMotion() {
 
 void LinkSupervision::TakeAxes(bool was_fresh) {
   // A stick that comes (back) deflected must not start anything.
-  if (!was_fresh && !wish_.is_neutral) is_neutral_seen_ = false;
+  if (!was_fresh && !wish_.are_sticks_neutral) is_neutral_seen_ = false;
 }
 
 void LinkSupervision::CheckTimeouts() {
@@ -159,7 +159,9 @@ Refusal LinkSupervision::FindLoss() const {
   if (is_old(BoxMessage::kSafety, limits_.frame_age)) return Refusal::kSafetyLost;
   if (is_old(BoxMessage::kMotion, limits_.frame_age)) return Refusal::kMotionLost;
   // Sticks are optional; silent ones are harmless as long as they were last seen at rest.
-  if (is_old(BoxMessage::kAxes, limits_.frame_age) && !wish_.is_neutral) return Refusal::kAxesLost;
+  if (is_old(BoxMessage::kAxes, limits_.frame_age) && !wish_.are_sticks_neutral) {
+    return Refusal::kAxesLost;
+  }
   if (is_old(BoxMessage::kHeartbeat, limits_.heartbeat_age)) return Refusal::kHeartbeatLost;
   return Refusal::kNone;
 }

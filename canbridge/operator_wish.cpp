@@ -35,7 +35,8 @@ OperatorWish ReadWish(const dbc::ControlMap& map, const dbc::PanelState& panel) 
     if ((wish.conflict >> i & 1U) != 0) wish.rate[i] = 0;
   }
   const bool is_preset_wanted = panel.preset >= 1 && panel.preset <= kLastPreset;
-  wish.is_neutral = wish.wanted == 0 && !is_preset_wanted && AreSticksNeutral(map, panel);
+  wish.are_sticks_neutral = AreSticksNeutral(map, panel);
+  wish.is_neutral = wish.wanted == 0 && !is_preset_wanted && wish.are_sticks_neutral;
   return wish;
 }
 

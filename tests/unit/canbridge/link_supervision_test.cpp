@@ -175,6 +175,18 @@ TEST(LinkSupervision, StickThatComesBackDeflectedDoesNotStartAnything) {
   EXPECT_EQ(rig.outcome().reason, InhibitReason::kNeutralNeeded);
 }
 
+TEST(LinkSupervision, SticksThatComeAndGoAtRestDoNotStopAButton) {
+  SupervisionRig rig;
+  rig.sends_axes = false;
+  rig.DriveForward();
+  rig.sends_axes = true;
+  rig.Run(milliseconds(40));
+  EXPECT_EQ(rig.forward(), 1.0);
+  rig.sends_axes = false;
+  rig.Run(milliseconds(1000));
+  EXPECT_EQ(rig.forward(), 1.0);
+}
+
 TEST(LinkSupervision, StickThatFallsSilentWhileDeflectedStops) {
   SupervisionRig rig;
   rig.BringUp();
