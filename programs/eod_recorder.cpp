@@ -42,6 +42,7 @@ void Record(const RecorderConfig& config, const eod::StationOptions& station) {
   folder.RemoveEarlierRun();
   eod::RecordingCanBus bus(std::move(open_bus), {folder.can_log(), "vcan0"}, clock);
   eod::recorder::RecorderNode node(config, folder, bus, *lcm, clock);
+  eod::SayReady(bus.url());
   eod::RunNode(node, &bus, *lcm, clock);
   node.Finish();
 }

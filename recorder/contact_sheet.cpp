@@ -16,7 +16,7 @@ constexpr int kMargin = 40;
 constexpr int kGap = 24;
 constexpr int kTileWidth = 512;
 constexpr int kTileHeight = 384;
-constexpr int kCaptionHeight = 76;
+constexpr int kCaptionHeight = 74;
 constexpr int kHeaderHeight = 104;
 constexpr int kFooterHeight = 84;
 
@@ -77,15 +77,15 @@ class SheetPainter {
 
   void DrawHeader(const Summary& summary) {
     const Rectangle& area = layout_.header;
-    const std::string title = fmt::format("Module {}", summary.module);
-    const int after = fonts_.bold.Draw(canvas_, area.x, area.y + 52, title, 46, kInk);
-    DrawChip(canvas_, fonts_.bold, after + 24, area.y + 18, summary.result, 24,
+    const std::string title = fmt::format("EOD training run, module {}", summary.module);
+    const int after = fonts_.bold.Draw(canvas_, area.x, area.y + 50, title, 40, kInk);
+    DrawChip(canvas_, fonts_.bold, after + 22, area.y + 20, summary.result, 22,
              ColourOf(summary.result));
     const std::string line =
         fmt::format("{:.1f} s simulated  ·  {}  ·  {} {}", summary.sim_seconds, summary.bus,
                     summary.alarms.size(), summary.alarms.size() == 1 ? "alarm" : "alarms");
-    fonts_.regular.Draw(canvas_, area.right() - fonts_.regular.Measure(line, 22), area.y + 48, line,
-                        22, kFaint);
+    fonts_.regular.Draw(canvas_, area.right() - fonts_.regular.Measure(line, 20), area.y + 48, line,
+                        20, kFaint);
     canvas_.Fill({area.x, area.y + 76, area.width, 2}, kLine);
   }
 
@@ -101,6 +101,7 @@ class SheetPainter {
       canvas_.Fill({inset.x - 2, inset.y - 2, inset.width + 4, inset.height + 4}, kPaper);
       Show(mast->second, inset);
     }
+    DrawDisplay(tile.picture, moment);
     DrawCaption(tile.caption, moment);
   }
 
@@ -110,8 +111,8 @@ class SheetPainter {
     const std::array<std::pair<std::string, std::string>, 4> numbers{{
         {"button to pose, p99", Milliseconds(summary.latency_ms.button_to_pose)},
         {"contact to lamp frame, p99", Milliseconds(summary.latency_ms.contact_to_lamp_frame)},
-        {"camera", fmt::format("{:.1f} pictures a second, {}x{}", summary.camera.fps,
-                               summary.camera.width, summary.camera.height)},
+        {"camera", fmt::format("{:.1f} fps, {}x{}", summary.camera.fps, summary.camera.width,
+                               summary.camera.height)},
         {"CAN",
          fmt::format("{:.1f} % load, {} lost", summary.can.bus_load_percent, summary.can.lost)},
     }};
@@ -130,16 +131,15 @@ class SheetPainter {
     if (const auto picture = DecodeJpeg(jpeg)) canvas_.Place(*picture, area);
   }
 
+  // Time and speed in a corner of the picture, as a camera would show them.
+  void DrawDisplay(const Rectangle& picture, const Moment& moment) {
+    const std::string text = fmt::format("{:.1f} s   {:+.2f} m/s", moment.t, moment.speed_mps);
+    DrawChip(canvas_, fonts_.regular, picture.x + 10, picture.bottom() - 36, text, 17, kInk);
+  }
+
   void DrawCaption(const Rectangle& area, const Moment& moment) {
-    const std::string speed = fmt::format("{:+.2f} m/s", moment.speed_mps);
-    const int speed_width = fonts_.regular.Measure(speed, 20);
-    fonts_.regular.Draw(canvas_, area.right() - speed_width, area.y + 30, speed, 20, kFaint);
-
-    const std::string time = fmt::format("{:.1f} s", moment.t);
-    const int x = fonts_.regular.Draw(canvas_, area.x, area.y + 30, time, 20, kFaint) + 14;
-    const int room = area.right() - speed_width - 14 - x;
-    fonts_.bold.Draw(canvas_, x, area.y + 30, fonts_.bold.Fitted(moment.label, 22, room), 22, kInk);
-
+    fonts_.bold.Draw(canvas_, area.x, area.y + 30, fonts_.bold.Fitted(moment.label, 20, area.width),
+                     20, kInk);
     int chip = area.x;
     for (size_t i = 0; i < moment.lamps.size(); ++i) {
       if (moment.lamps[i] == dbc::LampPattern::kOff) continue;

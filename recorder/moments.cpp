@@ -7,7 +7,8 @@ namespace eod::recorder {
 namespace {
 
 constexpr double kSameMoment_s = 1.0;
-constexpr double kApproach_s = 2.0;
+constexpr double kApproach_s = 2.5;
+constexpr double kNearAnEnd_s = 8.0;
 constexpr double kRecentPeriod_s = 0.25;
 constexpr double kCompanion_s = 0.2;  // pictures of two cameras this close show the same moment
 constexpr size_t kMaxSamples = 64;
@@ -17,6 +18,20 @@ double Gap(const std::vector<Moment>& moments, double t) {
   double gap = 1e9;
   for (const Moment& moment : moments) gap = std::min(gap, std::abs(moment.t - t));
   return gap;
+}
+
+// Drops the moment that is closest to the one before it until `count` remain; first and last stay.
+void ThinOut(std::vector<Moment>& moments, size_t count) {
+  while (moments.size() > std::max<size_t>(count, 2)) {
+    size_t closest = 1;
+    for (size_t i = 1; i + 1 < moments.size(); ++i) {
+      if (moments[i].t - moments[i - 1].t < moments[closest].t - moments[closest - 1].t) {
+        closest = i;
+      }
+    }
+    moments.erase(moments.begin() + static_cast<std::ptrdiff_t>(closest));
+  }
+  if (moments.size() > count) moments.resize(count);
 }
 
 void InsertByTime(std::vector<Moment>& moments, Moment moment) {
@@ -117,27 +132,33 @@ void Moments::ThinSamples() {
 
 std::vector<Moment> Moments::Select(size_t count) const {
   std::vector<Moment> chosen;
-  if (samples_.empty()) return chosen;
-  const auto add = [&](Moment moment, const char* label) {
-    if (chosen.size() >= count || moment.pictures.empty()) return;
-    if (moment.label.empty()) moment.label = label;
-    if (Gap(chosen, moment.t) >= kSameMoment_s) InsertByTime(chosen, std::move(moment));
-  };
-  if (marks_.empty() || Gap(marks_, samples_.front().t) >= kSameMoment_s) {
-    add(samples_.front(), "First picture");
+  if (samples_.empty() || count == 0) return chosen;
+  for (const Moment& mark : marks_) {
+    if (!mark.pictures.empty()) InsertByTime(chosen, mark);
   }
-  if (Gap(marks_, last_.t) >= kSameMoment_s) add(last_, "End");
-  for (const Moment& mark : marks_) add(mark, "");
+  AddEnds(chosen);
+  ThinOut(chosen, count);
 
   // Fill up with the sample that is farthest from all others, again and again.
   while (chosen.size() < count) {
-    const auto farthest = std::max_element(
-        samples_.begin(), samples_.end(),
-        [&](const Moment& a, const Moment& b) { return Gap(chosen, a.t) < Gap(chosen, b.t); });
+    const auto farthest = std::ranges::max_element(
+        samples_, {}, [&](const Moment& sample) { return Gap(chosen, sample.t); });
     if (Gap(chosen, farthest->t) < kSameMoment_s) break;
     InsertByTime(chosen, *farthest);
   }
   return chosen;
+}
+
+void Moments::AddEnds(std::vector<Moment>& chosen) const {
+  if (Gap(chosen, samples_.front().t) >= kNearAnEnd_s) {
+    InsertByTime(chosen, samples_.front());
+    chosen.front().label = "First picture";
+  }
+  const double near = chosen.size() > 1 ? kNearAnEnd_s : kSameMoment_s;
+  if (Gap(chosen, last_.t) >= near) {
+    InsertByTime(chosen, last_);
+    chosen.back().label = "End";
+  }
 }
 
 }  // namespace eod::recorder

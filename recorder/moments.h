@@ -32,7 +32,7 @@ class Moments {
   /// Marks `t`: the next picture of each camera at or after it is kept. A mark within a second of
   /// an earlier one is the same moment and is dropped.
   void Mark(double t, std::string label);
-  /// Also keeps the picture of about two seconds before `t`.
+  /// Also keeps the picture of some seconds before `t`, when it was still ahead.
   void MarkWithApproach(double t, std::string approach_label, std::string label);
 
   void AddPicture(Camera camera, double t, const Jpeg& jpeg, const LampPatterns& lamps,
@@ -46,6 +46,7 @@ class Moments {
   void FillMarks(Camera camera, double t, const Jpeg& jpeg, const Moment& caption);
   void KeepSample(Camera camera, double t, const Jpeg& jpeg, const Moment& caption);
   void ThinSamples();
+  void AddEnds(std::vector<Moment>& chosen) const;
 
   std::vector<Moment> marks_;
   std::deque<Moment> recent_;    ///< the last seconds, for what comes before a mark

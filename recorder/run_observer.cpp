@@ -39,7 +39,7 @@ void RunObserver::OnAlarm(const AlarmSeen& alarm) {
   // Contact, its end, and an e-stop once the exercise has begun are what a reader wants to see.
   if (alarm.code == kCollisionAlarm && alarm.raised) {
     moments_.MarkWithApproach(t, "Before the contact", "Contact: " + PartNames(alarm.parts));
-  } else if (alarm.code == kCollisionAlarm) {
+  } else if (alarm.code == kCollisionAlarm && mission_.state != MissionState::kRun) {
     moments_.Mark(t, "Backed off");
   } else if (alarm.code == kEstopAlarm && alarm.raised && mission_.state >= MissionState::kRun) {
     moments_.Mark(t, "E-stop");
@@ -61,7 +61,7 @@ void RunObserver::MarkMissionProgress(const MissionSeen& next) {
   }
   // The text still describes the step that was just completed.
   if (next.step > mission_.step && mission_.state == MissionState::kRun) {
-    moments_.Mark(t, mission_.step_text);
+    moments_.MarkWithApproach(t, mission_.step_text, "\u2713 " + mission_.step_text);
   }
   if (IsOutcome(next.state) && next.state != mission_.state) {
     moments_.Mark(t,

@@ -75,7 +75,8 @@ std::string LinkText(const std::optional<LinkSeen>& link) {
   return fmt::format("link {:.0f}%", link->quality * 100);
 }
 
-std::string MissionText(const MissionSeen& mission) {
+// What happens: the step of the exercise, or else what the scripted operator does.
+std::string ActionText(const MissionSeen& mission, const std::string& script_line) {
   switch (mission.state) {
     case MissionState::kRun:
       return fmt::format("{}/{} {}", mission.step + 1, mission.steps, mission.step_text);
@@ -87,9 +88,9 @@ std::string MissionText(const MissionSeen& mission) {
       return "mission aborted";
     case MissionState::kIdle:
     case MissionState::kBrief:
-      return "";
+      break;
   }
-  return "";
+  return script_line;
 }
 
 // Cuts at a character's border, never inside one.
@@ -111,7 +112,7 @@ std::string FormatStatusLine(const LiveStatus& status, const LineStyle& style) {
                             Plain("inhibited " + MotionNames(status.inhibit_mask)),
                             Plain(fmt::format("{:.0f} fps", status.camera_fps)),
                             Plain(LinkText(status.link)),
-                            Plain(MissionText(status.mission))};
+                            Plain(ActionText(status.mission, status.script_line))};
   const auto columns = static_cast<size_t>(style.columns);
   std::string line;
   size_t width = 0;

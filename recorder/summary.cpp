@@ -112,23 +112,29 @@ std::string AlarmName(int code) {
 }
 
 std::string PartNames(uint32_t parts) {
-  constexpr std::array<std::string_view, 12> kNames{"front left wheel",
-                                                    "front right wheel",
-                                                    "rear left wheel",
-                                                    "rear right wheel",
-                                                    "left hand",
-                                                    "right hand",
-                                                    "crossbeam",
-                                                    "chassis",
-                                                    "big arm",
-                                                    "small arm",
-                                                    "mast",
-                                                    "held bomb"};
+  // Pairs first: people say "front wheels".
+  constexpr std::array<std::pair<uint32_t, std::string_view>, 15> kNames{
+      {{0b11, "front wheels"},
+       {0b1, "front left wheel"},
+       {0b10, "front right wheel"},
+       {0b1100, "rear wheels"},
+       {0b100, "rear left wheel"},
+       {0b1000, "rear right wheel"},
+       {0b11'0000, "both hands"},
+       {1U << 4, "left hand"},
+       {1U << 5, "right hand"},
+       {1U << 6, "crossbeam"},
+       {1U << 7, "chassis"},
+       {1U << 8, "big arm"},
+       {1U << 9, "small arm"},
+       {1U << 10, "mast"},
+       {1U << 11, "held bomb"}}};
   std::string text;
-  for (size_t bit = 0; bit < kNames.size(); ++bit) {
-    if ((parts >> bit & 1U) == 0) continue;
+  for (const auto& [bits, name] : kNames) {
+    if ((parts & bits) != bits) continue;
+    parts &= ~bits;
     if (!text.empty()) text += ", ";
-    text += kNames[bit];
+    text += name;
   }
   return text;
 }

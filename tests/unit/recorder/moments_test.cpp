@@ -36,33 +36,52 @@ TEST(Moments, AreNoneWithoutPictures) {
 
 TEST(Moments, KeepTheFirstPictureAtOrAfterAMark) {
   Moments dut;
-  Film(dut, 0, 5);
-  dut.Mark(5.02, "contact");
-  Film(dut, 5.1, 9);
+  Film(dut, 0, 15);
+  dut.Mark(15.02, "contact");
+  Film(dut, 15.1, 30);
   const auto moments = dut.Select(3);
   ASSERT_THAT(Labels(moments), ElementsAre("First picture", "contact", "End"));
-  EXPECT_NEAR(moments[1].t, 5.1, 1e-9);
-  EXPECT_NEAR(moments[1].speed_mps, 0.51, 1e-9);
+  EXPECT_NEAR(moments[1].t, 15.1, 1e-9);
+  EXPECT_NEAR(moments[1].speed_mps, 1.51, 1e-9);
 }
 
-TEST(Moments, KeepWhatCameTwoSecondsBeforeAnEvent) {
+TEST(Moments, LeaveOutFirstAndLastWhereAMarkShowsTheSame) {
   Moments dut;
-  Film(dut, 0, 10);
-  dut.MarkWithApproach(10, "before", "contact");
-  Film(dut, 10, 15);
+  Film(dut, 0, 3);
+  dut.Mark(3, "start");
+  Film(dut, 3, 30);
+  dut.Mark(30, "e-stop");
+  Film(dut, 30, 33);
+  EXPECT_THAT(Labels(dut.Select(2)), ElementsAre("start", "e-stop"));
+}
+
+TEST(Moments, DropTheClosestOfTooManyMarks) {
+  Moments dut;
+  for (const int t : {10, 20, 30, 32, 40}) {
+    dut.Mark(t, std::to_string(t));
+    Film(dut, t, t + 0.35);
+  }
+  EXPECT_THAT(Labels(dut.Select(4)), ElementsAre("10", "20", "30", "40"));
+}
+
+TEST(Moments, KeepWhatCameShortlyBeforeAnEvent) {
+  Moments dut;
+  Film(dut, 0, 20);
+  dut.MarkWithApproach(20, "before", "contact");
+  Film(dut, 20, 30);
   const auto moments = dut.Select(4);
   ASSERT_THAT(Labels(moments), ElementsAre("First picture", "before", "contact", "End"));
-  // Kept four times a second at most, so up to 0.3 s earlier.
-  EXPECT_LE(moments[1].t, 8.0);
-  EXPECT_GE(moments[1].t, 7.6);
+  // 2.5 s before; kept four times a second at most, so up to 0.3 s earlier.
+  EXPECT_LE(moments[1].t, 17.5);
+  EXPECT_GE(moments[1].t, 17.1);
 }
 
 TEST(Moments, TakeMarksWithinASecondForOne) {
   Moments dut;
-  Film(dut, 0, 5);
-  dut.Mark(5.0, "contact");
-  dut.Mark(5.4, "step done");
-  Film(dut, 5, 9);
+  Film(dut, 0, 15);
+  dut.Mark(15.0, "contact");
+  dut.Mark(15.4, "step done");
+  Film(dut, 15, 30);
   EXPECT_THAT(Labels(dut.Select(3)), ElementsAre("First picture", "contact", "End"));
 }
 

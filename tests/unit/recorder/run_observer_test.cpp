@@ -117,10 +117,10 @@ TEST_F(RunObserverTest, TellsTheStoryInMoments) {
   dut_.OnAlarm({At(23), 0x80, true, 0});
   RunUntil(26);
   std::vector<std::string> labels;
-  for (const Moment& moment : dut_.TellingMoments(8)) labels.push_back(moment.label);
+  for (const Moment& moment : dut_.TellingMoments(6)) labels.push_back(moment.label);
   EXPECT_THAT(labels,
-              ElementsAre("First picture", "Mission starts", "Before the contact",
-                          "Contact: front left wheel", "Backed off", "Back off", "E-stop", "End"));
+              ElementsAre("Mission starts", "Before the contact", "Contact: front left wheel",
+                          "Back off", "\u2713 Back off", "E-stop"));
 }
 
 TEST_F(RunObserverTest, ShowsPicturesThatStoppedAsStopped) {

@@ -59,6 +59,14 @@ TEST(StatusLine, CutsTextBetweenCharacters) {
   EXPECT_TRUE(line.ends_with("äöüäöüäöüä")) << line;
 }
 
+TEST(StatusLine, ShowsTheScriptWhileNoMissionRuns) {
+  LiveStatus status = InContact();
+  status.mission.state = MissionState::kIdle;
+  status.script_line = "estop press";
+  EXPECT_THAT(FormatStatusLine(status, {.columns = 160, .colour = false}),
+              HasSubstr("link 99%  estop press"));
+}
+
 TEST(StatusLine, SaysWhenTheBusIsGone) {
   LiveStatus status = InContact();
   status.link->bus_state = 1;

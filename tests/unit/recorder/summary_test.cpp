@@ -81,7 +81,7 @@ TEST(Summary, SurvivesTextThatIsNotUtf8) {
 TEST(Summary, TellsPeopleTheSame) {
   const std::string text = ToText(ExampleRun());
   EXPECT_THAT(text, HasSubstr("success, module flat, 62.5 s simulated"));
-  EXPECT_THAT(text, HasSubstr("12.35 s  collision: front left wheel, front right wheel"));
+  EXPECT_THAT(text, HasSubstr("12.35 s  collision: front wheels"));
   EXPECT_THAT(text, HasSubstr("p50 3.00 ms, p99 4.25 ms, n 12"));
   EXPECT_THAT(text, HasSubstr("contact to lamp  no sample"));
 }
@@ -94,6 +94,8 @@ TEST(Names, OfModulesAlarmsAndParts) {
   EXPECT_EQ(AlarmName(0x80), "e-stop");
   EXPECT_EQ(AlarmName(0x99), "alarm 0x99");
   EXPECT_EQ(PartNames(0), "");
+  EXPECT_EQ(PartNames(0b10), "front right wheel");
+  EXPECT_EQ(PartNames(0b1011), "front wheels, rear right wheel");
   EXPECT_EQ(PartNames(1U << 6 | 1U << 11), "crossbeam, held bomb");
 }
 
