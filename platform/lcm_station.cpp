@@ -7,7 +7,9 @@
 #include <stdexcept>
 
 #include <fmt/format.h>
+#include <sys/socket.h>
 
+#include "platform/file_descriptor.h"
 #include "platform/multicast.h"
 
 namespace eod {
@@ -16,7 +18,7 @@ namespace {
 constexpr std::string_view kDefaultUrl = "udpm://239.255.76.67:7667?ttl=0";
 constexpr std::string_view kUdpScheme = "udpm://";
 // With the system's default, a picture of 1 MB never arrives whole.
-constexpr std::string_view kReceiveBuffer = "recv_buf_size=4000000";
+constexpr int kReceiveBytes = 4'000'000;
 
 std::string ChooseUrl(const LcmStation& station) {
   if (!station.url.empty()) return station.url;
@@ -25,10 +27,20 @@ std::string ChooseUrl(const LcmStation& station) {
   return std::string(is_set ? std::string_view(from_environment) : kDefaultUrl);
 }
 
+/// What the system grants of kReceiveBytes. LCM prints a warning if it is given less than it asked.
+int GrantedReceiveBytes() {
+  const FileDescriptor probe(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  ::setsockopt(probe.get(), SOL_SOCKET, SO_RCVBUF, &kReceiveBytes, sizeof kReceiveBytes);
+  int granted = 0;
+  socklen_t size = sizeof granted;
+  ::getsockopt(probe.get(), SOL_SOCKET, SO_RCVBUF, &granted, &size);
+  return std::min(granted, kReceiveBytes);
+}
+
 std::string WithReceiveBuffer(const std::string& url) {
   if (url.find("recv_buf_size=") != std::string::npos) return url;
   const char separator = url.find('?') == std::string::npos ? '?' : '&';
-  return url + separator + std::string(kReceiveBuffer);
+  return fmt::format("{}{}recv_buf_size={}", url, separator, GrantedReceiveBytes());
 }
 
 /// The group and port that a udpm URL writes, or LCM's own where it leaves them out.

@@ -10,7 +10,8 @@ namespace eod {
 
 /// Where a program meets the others: `--lcm-url`, `--channel-prefix`.
 struct LcmStation {
-  /// Empty: LCM_DEFAULT_URL, or else udpm://239.255.76.67:7667?ttl=0 with a receive buffer of 4 MB.
+  /// Empty: LCM_DEFAULT_URL, or else udpm://239.255.76.67:7667?ttl=0. A udpm URL that does not set
+  /// its receive buffer gets as much of 4 MB as the system grants.
   std::string url;
   /// Put before every channel name; tells several stations on one network apart.
   std::string channel_prefix;

@@ -55,11 +55,18 @@ TEST_F(LcmStationTest, HonoursTheEnvironmentsUrl) {
   EXPECT_EQ(Exchange(*a, *b, "hello"), "hello");
 }
 
-TEST_F(LcmStationTest, CarriesAPictureOfOneMegabyteWhole) {
+TEST_F(LcmStationTest, CarriesAMessageOfSeveralDatagramsWhole) {
   const auto a = OpenLcm({});
   const auto b = OpenLcm({});
-  const std::string picture(1'000'000, 'x');
+  const std::string picture(200'000, 'x');
   EXPECT_EQ(Exchange(*a, *b, picture), picture);
+}
+
+TEST_F(LcmStationTest, AsksForNoMoreBufferThanTheSystemGrants) {
+  testing::internal::CaptureStderr();
+  const auto dut = OpenLcm({});
+  EXPECT_EQ(Exchange(*dut, *dut, "hello"), "hello");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "LCM warned";
 }
 
 TEST_F(LcmStationTest, OpensAQueueInMemory) {
