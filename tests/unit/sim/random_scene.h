@@ -41,8 +41,8 @@ inline void AddObject(ModuleModel& module, const std::string& name, uint32_t cla
 inline ModuleModel RandomScene(uint64_t seed) {
   SeededNumbers numbers(seed);
   ModuleModel module;
-  AddObject(module, "ground", kModuleFlat | kClampProxy | kBumpProxy, PlaneMesh(40, 40, 1));
-  for (int i = 0; i < 120; ++i) {
+  AddObject(module, "ground", kModuleFlat | kClampProxy | kBumpProxy, PlaneMesh(40, 40, 2));
+  for (int i = 0; i < 36; ++i) {
     const uint32_t proxy = numbers.Below(2) == 0 ? kBumpProxy : kBumpProxy | kClampProxy;
     const double size = numbers.Between(0.05, 2);
     Mesh mesh = i % 3 == 0   ? BoxMesh(Eigen::Vector3d(size, 1, 0.5))
