@@ -169,6 +169,8 @@ void AddPanelRoles(Roles<PanelState>& roles) {
   roles.Named<&S::circuit>("circuit", choices::kCircuit);
   roles.Count<&S::nonce_echo>("nonce_echo");
   roles.Named<&S::nmt>("box_heartbeat", choices::kHeartbeat).essential = true;
+  roles.Count<&S::error_code>("box_emergency_code");
+  roles.Count<&S::error_register>("box_emergency_register");
 }
 
 std::vector<Role<PanelState>> MakePanelRoles() {

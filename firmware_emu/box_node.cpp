@@ -131,6 +131,7 @@ panel_status_t BoxNode::MakeStatus(TimePoint now) const {
   status.max_late_us = std::chrono::duration_cast<std::chrono::microseconds>(max_late_).count();
   if (runner_) status.script_line = runner_->current_line();
   status.script_done = is_script_done() ? 1 : 0;
+  status.script_failed = script_failure() ? 1 : 0;
   return status;
 }
 

@@ -211,7 +211,13 @@ TEST(Fault, ButtonHeldAtPowerUpIsAFaultUntilLetGo) {
   rig.inputs.controls.motion[0] = false;
   rig.Run(milliseconds(20));
   EXPECT_EQ(rig.dut.status().state, BoxState::kStandby);
-  EXPECT_EQ(rig.SentWithId(kEmergencyId).size(), 2u);  // came, went
+  const auto emergencies = rig.SentWithId(kEmergencyId);
+  ASSERT_EQ(emergencies.size(), 2u);  // came, went
+  EXPECT_EQ(emergencies[0].data[0], 0x01);  // 0xFF01, low byte first: maker's own code, fault 1
+  EXPECT_EQ(emergencies[0].data[1], 0xFF);
+  EXPECT_EQ(emergencies[0].data[2], 0x81);  // register: generic, maker's own
+  EXPECT_EQ(emergencies[1].data[0], 0x00);  // error reset
+  EXPECT_EQ(emergencies[1].data[1], 0x00);
 }
 
 TEST(Fault, BrokenEstopContactIsPressedAtOnceAndAFaultAfter60Milliseconds) {
