@@ -12,6 +12,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <pthread.h>
 #include <sys/resource.h>
 
@@ -99,6 +100,7 @@ class CameraThread::Worker {
       const std::unique_ptr<GlContext> context = MakeOsMesaContext();
       SceneRenderer renderer(context->gl(), robot_, world_);
       std::vector<Eye> eyes = OpenEyes(context->gl());
+      malloc_trim(0);  // what painting and loading took and gave back, tens of megabytes
       started.set_value();
       Loop(renderer, eyes);
     } catch (...) {
@@ -117,24 +119,26 @@ class CameraThread::Worker {
 
   void Loop(SceneRenderer& renderer, std::vector<Eye>& eyes) {
     SceneSnapshot snapshot;
-    std::vector<uint8_t> pixels;
     while (TakeNewest(snapshot)) {
       bool is_prepared = false;
+      // All cameras that are due show the same moment, and share its shadow.
       while (const std::optional<size_t> due = schedule_.Due(snapshot.time)) {
         if (!is_prepared) renderer.Prepare(snapshot);
         is_prepared = true;
-        Eye& eye = eyes[*due];
-        renderer.Draw(eye.spec, eye.target);
-        eye.target.Read(pixels);
-        const std::span<const uint8_t> jpeg = eye.encoder.Encode(pixels);
         schedule_.Drawn(*due, snapshot.time);
-        if (jpeg.empty()) continue;
-        pictures_.fetch_add(1, std::memory_order_relaxed);
-        sink_({eye.spec.name, snapshot.time, config_.width, config_.height, jpeg});
-        // The next camera shows what is newest by now.
-        if (HasNewer()) break;
+        TakePicture(renderer, eyes[*due], snapshot.time);
+        if (IsStopping()) return;
       }
     }
+  }
+
+  void TakePicture(SceneRenderer& renderer, Eye& eye, TimePoint time) {
+    renderer.Draw(eye.spec, eye.target);
+    eye.target.Read(pixels_);
+    const std::span<const uint8_t> jpeg = eye.encoder.Encode(pixels_);
+    if (jpeg.empty()) return;
+    pictures_.fetch_add(1, std::memory_order_relaxed);
+    sink_({eye.spec.name, time, config_.width, config_.height, jpeg});
   }
 
   /// Waits for a snapshot; false when the thread is to end.
@@ -147,9 +151,9 @@ class CameraThread::Worker {
     return true;
   }
 
-  bool HasNewer() {
+  bool IsStopping() {
     const std::lock_guard lock(mutex_);
-    return is_new_ || stopping_;
+    return stopping_;
   }
 
   const RobotModel& robot_;
@@ -157,6 +161,7 @@ class CameraThread::Worker {
   const CameraConfig config_;
   const PictureSink sink_;
   PictureSchedule schedule_;
+  std::vector<uint8_t> pixels_;  // of the picture being compressed; the camera's thread only
   std::atomic<uint64_t> pictures_{0};
 
   std::mutex mutex_;

@@ -12,22 +12,35 @@
 namespace eod::sim {
 namespace {
 
-constexpr double kCell = 20.0;  // [m]
-constexpr double kWorldChamfer = 0.012;
-constexpr double kRobotChamfer = 0.008;
+constexpr double kCell = 15.0;  // [m]
+constexpr Detail kFineWorld{.chamfer = 0.02};
+constexpr Detail kCoarseWorld{.max_segments = 10, .min_extent = 0.05};
+constexpr Detail kFineRobot{.chamfer = 0.006};
+constexpr Detail kCoarseRobot{.max_segments = 12, .min_extent = 0.05};
 
-void AppendRange(const SurfaceMesh& part, int texture, DrawList& list) {
-  DrawRange range{.texture = texture,
-                  .first = static_cast<uint32_t>(list.mesh.indices.size()),
-                  .count = static_cast<uint32_t>(part.indices.size()),
-                  .bounds = {},
-                  .casts_shadow = true};
+/// The same shapes twice.
+struct Tessellation {
+  SurfaceMesh fine;
+  SurfaceMesh coarse;
+};
+
+IndexRun AppendMesh(const SurfaceMesh& mesh, DrawList& list) {
+  const IndexRun run{static_cast<uint32_t>(list.mesh.indices.size()),
+                     static_cast<uint32_t>(mesh.indices.size())};
   const auto base = static_cast<uint32_t>(list.mesh.vertices.size());
-  for (const Vertex& vertex : part.vertices) {
+  list.mesh.vertices.insert(list.mesh.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+  for (const uint32_t index : mesh.indices) list.mesh.indices.push_back(base + index);
+  return run;
+}
+
+void AppendRange(const Tessellation& part, int texture, DrawList& list) {
+  DrawRange range;
+  range.texture = texture;
+  for (const Vertex& vertex : part.fine.vertices) {
     range.bounds.extend(Eigen::Vector3f(vertex.position));
-    list.mesh.vertices.push_back(vertex);
   }
-  for (const uint32_t index : part.indices) list.mesh.indices.push_back(base + index);
+  range.fine = AppendMesh(part.fine, list);
+  range.coarse = AppendMesh(part.coarse, list);
   list.ranges.push_back(range);
 }
 
@@ -45,16 +58,17 @@ int TextureOf(const Visual& visual, const std::filesystem::path& file) {
 }  // namespace
 
 DrawList BuildWorldDrawList(const ModuleModel& module) {
-  std::map<std::tuple<int, int, int>, SurfaceMesh> parts;
+  std::map<std::tuple<int, int, int>, Tessellation> parts;
   for (const WorldObject& object : module.objects) {
     for (const Visual& visual : object.visuals) {
       const Eigen::Vector3d centre = object.X_MO * visual.X_OV.translation();
       const auto cell = [](double coordinate) {
         return static_cast<int>(std::floor(coordinate / kCell));
       };
-      SurfaceMesh& part =
+      Tessellation& part =
           parts[{TextureOf(visual, object.name), cell(centre.x()), cell(centre.y())}];
-      AppendVisual(visual, object.X_MO, 0, kWorldChamfer, part);
+      AppendVisual(visual, object.X_MO, 0, kFineWorld, part.fine);
+      AppendVisual(visual, object.X_MO, 0, kCoarseWorld, part.coarse);
     }
   }
   DrawList list;
@@ -64,10 +78,13 @@ DrawList BuildWorldDrawList(const ModuleModel& module) {
 }
 
 DrawList BuildRobotDrawList(const RobotModel& robot) {
-  std::map<int, SurfaceMesh> parts;
+  const Eigen::Isometry3d X_LL = Eigen::Isometry3d::Identity();
+  std::map<int, Tessellation> parts;
   for (const LinkVisual& link_visual : robot.visuals) {
-    AppendVisual(link_visual.visual, Eigen::Isometry3d::Identity(), 1 + link_visual.link,
-                 kRobotChamfer, parts[TextureOf(link_visual.visual, robot.file)]);
+    Tessellation& part = parts[TextureOf(link_visual.visual, robot.file)];
+    const int bone = 1 + link_visual.link;
+    AppendVisual(link_visual.visual, X_LL, bone, kFineRobot, part.fine);
+    AppendVisual(link_visual.visual, X_LL, bone, kCoarseRobot, part.coarse);
   }
   DrawList list;
   for (const auto& [texture, part] : parts) AppendRange(part, texture, list);

@@ -10,11 +10,17 @@
 
 namespace eod::sim {
 
-/// A run of triangles with one texture, drawn by one call.
+/// Consecutive indices of a mesh.
+struct IndexRun {
+  uint32_t first = 0;
+  uint32_t count = 0;
+};
+
+/// Triangles with one texture, drawn by one call.
 struct DrawRange {
   int texture = 0;  ///< index in kSurfaceTextures
-  uint32_t first = 0;
-  uint32_t count = 0;          ///< indices
+  IndexRun fine;
+  IndexRun coarse;             ///< the same shapes in fewer triangles, for far away and for shadows
   Eigen::AlignedBox3f bounds;  ///< static ranges only: in the module's local frame
   bool casts_shadow = true;
 };
@@ -25,7 +31,7 @@ struct DrawList {
   std::vector<DrawRange> ranges;
 };
 
-/// All visuals of the module, merged per texture within squares of 20 m that are culled together.
+/// All visuals of the module, merged per texture within squares of 15 m that are culled together.
 /// Throws std::runtime_error for an unknown texture.
 DrawList BuildWorldDrawList(const ModuleModel& module);
 

@@ -5,16 +5,17 @@
 namespace eod::sim {
 namespace {
 
-// Finaliser of splitmix64 (Steele, Lea, Flood 2014).
-uint64_t Mix(uint64_t value) {
-  value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9ULL;
-  value = (value ^ (value >> 27)) * 0x94d049bb133111ebULL;
-  return value ^ (value >> 31);
+// Avalanche of two multiplications (constants by C. Wellons, "lowbias32").
+uint32_t Mix(uint32_t value) {
+  value = (value ^ (value >> 16)) * 0x7feb352dU;
+  value = (value ^ (value >> 15)) * 0x846ca68bU;
+  return value ^ (value >> 16);
 }
 
 constexpr float kUnit = 1.0F / 16777216.0F;  // 2^-24: what a float's mantissa holds
 
 int Wrap(int value, int period) {
+  if (value >= 0 && value < period) return value;  // the common case, without a division
   const int rest = value % period;
   return rest < 0 ? rest + period : rest;
 }
@@ -24,10 +25,9 @@ float Smooth(float t) { return t * t * (3.0F - 2.0F * t); }
 }  // namespace
 
 float LatticeValue(int x, int y, uint32_t seed) {
-  const uint64_t key = (static_cast<uint64_t>(static_cast<uint32_t>(x)) << 32 |
-                        static_cast<uint64_t>(static_cast<uint32_t>(y))) +
-                       0x9e3779b97f4a7c15ULL * (seed + 1ULL);
-  return static_cast<float>(Mix(key) >> 40) * kUnit;
+  const uint32_t key = static_cast<uint32_t>(x) * 0x8da6b343U ^
+                       static_cast<uint32_t>(y) * 0xd8163841U ^ (seed + 1U) * 0xcb1ab31fU;
+  return static_cast<float>(Mix(key) >> 8) * kUnit;
 }
 
 float TilingNoise(float x, float y, int period, uint32_t seed) {
@@ -60,8 +60,8 @@ float TilingFbm(float x, float y, int period, int octaves, uint32_t seed) {
 }
 
 float PaintRandom::Uniform(float low, float high) {
-  state_ += 0x9e3779b97f4a7c15ULL;
-  return low + (high - low) * (static_cast<float>(Mix(state_) >> 40) * kUnit);
+  state_ += 0x9e3779b9U;
+  return low + (high - low) * (static_cast<float>(Mix(state_) >> 8) * kUnit);
 }
 
 }  // namespace eod::sim

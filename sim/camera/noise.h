@@ -17,12 +17,12 @@ float TilingFbm(float x, float y, int period, int octaves, uint32_t seed);
 /// Repeatable stream of pseudo-random numbers for painting.
 class PaintRandom {
  public:
-  explicit PaintRandom(uint64_t seed) : state_(seed) {}
+  explicit PaintRandom(uint32_t seed) : state_(seed) {}
   /// Uniform in [low, high).
   float Uniform(float low, float high);
 
  private:
-  uint64_t state_;
+  uint32_t state_;
 };
 
 }  // namespace eod::sim

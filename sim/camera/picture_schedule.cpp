@@ -19,14 +19,8 @@ std::optional<size_t> PictureSchedule::Due(TimePoint now) const {
 
 void PictureSchedule::Drawn(size_t camera, TimePoint now) {
   std::optional<TimePoint>& due = due_.at(camera);
-  const Duration count = period_ * static_cast<Duration::rep>(camera);
-  if (!due) {
-    // From the second picture on the cameras take turns within a period.
-    due = now + period_ + count / static_cast<Duration::rep>(due_.size());
-    return;
-  }
-  const bool in_step = *due <= now && now < *due + period_;
-  due = in_step ? *due + period_ : now + period_;
+  const bool is_in_step = due && *due <= now && now < *due + period_;
+  due = is_in_step ? *due + period_ : now + period_;
 }
 
 }  // namespace eod::sim

@@ -16,8 +16,11 @@ namespace eod::sim {
 namespace {
 
 constexpr double kShadowHalfSide = 15;  // [m]
-constexpr double kShadowAhead = 7;  // [m] its middle lies before the robot: that way cameras look
-constexpr int kGrass = 1;           // in kSurfaceTextures
+constexpr double kShadowAhead = 7;   // [m] its middle lies before the robot: that way cameras look
+constexpr float kFineDistance = 12;  // [m] within which shapes are drawn in full detail
+constexpr double kModuleDepth = 0.9999;  // share of the depth buffer for all near things
+constexpr double kMeadowDepth = 0.99999;
+constexpr int kGrass = 1;  // in kSurfaceTextures
 
 /// Meadow around the module, out to where fog hides it: rings around the camera's own place.
 SurfaceMesh MakeSurroundings() {
@@ -42,7 +45,7 @@ SurfaceMesh MakeSurroundings() {
     inner = outer;
   }
   SurfaceMesh mesh;
-  AppendVisual(meadow, Eigen::Isometry3d::Identity(), 0, 0, mesh);
+  AppendVisual(meadow, Eigen::Isometry3d::Identity(), 0, {}, mesh);
   return mesh;
 }
 constexpr GLsizei kSurroundingsIndices = 16 * 3 * (1 + 2 + 2);
@@ -108,10 +111,14 @@ void SceneRenderer::LoadModule(int module) {
 
 void SceneRenderer::Prepare(const SceneSnapshot& snapshot) {
   snapshot_ = snapshot;
-  if (snapshot.module != module_id_) LoadModule(snapshot.module);
+  const bool is_new_module = snapshot.module != module_id_;
+  if (is_new_module) LoadModule(snapshot.module);
   LinkPoses(robot_, snapshot.state, X_ML_);
   SetBone(Eigen::Isometry3d::Identity(), 0, bones_);
   for (size_t link = 0; link < X_ML_.size(); ++link) SetBone(X_ML_[link], link + 1, bones_);
+  // A robot that stands still throws the shadow that is there already.
+  if (!is_new_module && snapshot.state == shadow_state_) return;
+  shadow_state_ = snapshot.state;
   DrawShadow();
 }
 
@@ -122,17 +129,18 @@ void SceneRenderer::DrawShadow() {
                      ShadowMap::kSide);
   counters_ = {};
   shadow_map_.Bind();
+  gl_.DepthRange(0.0, 1.0);
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
   gl_.Enable(GL_POLYGON_OFFSET_FILL);
   gl_.PolygonOffset(1.5F, 4.0F);
   shadow_program_.Use(sun_, bones_);
   robot_mesh_.Bind();
-  for (const DrawRange& range : robot_list_.ranges) DrawRun(range);
+  for (const DrawRange& range : robot_list_.ranges) DrawRun(range.coarse);
   if (module_ != nullptr) {
     const Frustum lit(sun_);
     module_->mesh.Bind();
     for (const DrawRange& range : module_->list.ranges) {
-      if (range.casts_shadow && lit.MaySee(range.bounds)) DrawRun(range);
+      if (range.casts_shadow && lit.MaySee(range.bounds)) DrawRun(range.coarse);
     }
   }
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
@@ -151,13 +159,14 @@ DrawCounters SceneRenderer::Draw(const CameraSpec& camera, const RenderTarget& t
   gl_.ActiveTexture(SurfaceProgram::kShadowUnit);
   gl_.BindTexture(GL_TEXTURE_2D, shadow_map_.texture());
 
+  gl_.DepthRange(0.0, kModuleDepth);
   // Near things first: what they hide is not shaded.
   textured_.Use(view, sun_);
   textured_.SetBones(bones_);
   robot_mesh_.Bind();
   for (const DrawRange& range : robot_list_.ranges) {
     BindSurface(range.texture);
-    DrawRun(range);
+    DrawRun(range.fine);
   }
   DrawWorld(view, false);
   ground_.Use(view, sun_);
@@ -173,11 +182,13 @@ DrawCounters SceneRenderer::Draw(const CameraSpec& camera, const RenderTarget& t
 void SceneRenderer::DrawWorld(const View& view, bool ground) {
   if (module_ == nullptr) return;
   const Frustum frustum(view);
+  const Eigen::Vector3f eye = view.eye_M.cast<float>();
   module_->mesh.Bind();
   for (const DrawRange& range : module_->list.ranges) {
     if ((range.texture == kGrass) != ground || !frustum.MaySee(range.bounds)) continue;
+    const bool is_near = range.bounds.exteriorDistance(eye) < kFineDistance;
     BindSurface(range.texture);
-    DrawRun(range);
+    DrawRun(is_near ? range.fine : range.coarse);
   }
 }
 
@@ -185,12 +196,11 @@ void SceneRenderer::DrawSurroundings(const View& view) {
   BonePalette here(3);
   SetBone(Eigen::Isometry3d(Eigen::Translation3d(view.eye_M.x(), view.eye_M.y(), 0)), 0, here);
   ground_.SetBones(here);
-  // Farther than all of the module, so that its ground hides the meadow beneath at any distance.
-  gl_.DepthRange(0.99999, 1.0);
+  // Behind all of the module, so that its ground hides the meadow beneath, and before the sky.
+  gl_.DepthRange(kModuleDepth, kMeadowDepth);
   BindSurface(kGrass);
   surroundings_.Bind();
   gl_.DrawElements(GL_TRIANGLES, kSurroundingsIndices, GL_UNSIGNED_INT, nullptr);
-  gl_.DepthRange(0.0, 1.0);
   ++counters_.draw_calls;
   counters_.triangles += kSurroundingsIndices / 3;
 }
@@ -209,11 +219,12 @@ void SceneRenderer::DrawIsectors(const View& view, const RenderTarget& target) {
   counters_.triangles += static_cast<int>(overlay_triangles_.size() / 3);
 }
 
-void SceneRenderer::DrawRun(const DrawRange& range) {
-  gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.count), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(range.first * sizeof(uint32_t)));
+void SceneRenderer::DrawRun(const IndexRun& run) {
+  if (run.count == 0) return;
+  gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(run.count), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(run.first * sizeof(uint32_t)));
   ++counters_.draw_calls;
-  counters_.triangles += static_cast<int>(range.count / 3);
+  counters_.triangles += static_cast<int>(run.count / 3);
 }
 
 void SceneRenderer::BindSurface(int texture) {

@@ -47,7 +47,7 @@ class SceneRenderer {
   void DrawWorld(const View& view, bool ground);
   void DrawSurroundings(const View& view);
   void DrawIsectors(const View& view, const RenderTarget& target);
-  void DrawRun(const DrawRange& range);
+  void DrawRun(const IndexRun& run);
   void BindSurface(int texture);
 
   const GlFunctions& gl_;
@@ -66,11 +66,12 @@ class SceneRenderer {
   GlObject overlay_program_;
   ColourTriangles overlay_;
   std::unique_ptr<ModuleScene> module_;
-  int module_id_ = 0;
+  int module_id_ = -1;  ///< of module_, or of what was looked for in vain
 
   SceneSnapshot snapshot_;
   std::vector<Eigen::Isometry3d> X_ML_;
   BonePalette bones_;
+  RobotState shadow_state_;  ///< that the shadow map shows
   View sun_;
   std::vector<ColourVertex> overlay_triangles_;
   DrawCounters counters_;

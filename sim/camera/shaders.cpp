@@ -60,13 +60,10 @@ void main() {
   vec3 to_eye = u_eye - v_position;
   float distance = length(to_eye);
 #ifdef GROUND
-  vec3 near = texture(u_texture, v_position.xy * 0.55).rgb;
-  vec3 wide = texture(u_texture, vec2(0.8 * v_position.x + 0.6 * v_position.y,
-                                      0.8 * v_position.y - 0.6 * v_position.x) * 0.087).rgb;
   vec2 slow = texture(u_variation, v_position.xy * 0.021).rg;
-  vec3 tone = near * (0.45 + 1.2 * wide.g);
+  vec3 tone = texture(u_texture, v_position.xy * 0.6).rgb;
   tone = mix(tone, vec3(1.22, 1.10, 0.86) * tone, smoothstep(0.42, 0.72, slow.r));
-  tone *= 0.72 + 0.56 * slow.g;
+  tone *= 0.55 + 0.9 * slow.g;
   vec3 albedo = tone * tone * v_material.rgb;
   float shine = 0.0;
 #else

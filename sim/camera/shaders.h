@@ -7,7 +7,8 @@ namespace eod::sim {
 /// GLSL 3.30 sources, without the #version line. Colours are worked on linearly; textures and the
 /// picture hold their square root.
 extern const std::string_view kSurfaceVertexShader;
-/// With GROUND defined: texture by position in the module at two scales, so that no tile is seen.
+/// With GROUND defined: texture by position in the module, under slow variation, so that no tile
+/// is seen.
 extern const std::string_view kSurfaceFragmentShader;
 extern const std::string_view kShadowVertexShader;
 extern const std::string_view kShadowFragmentShader;

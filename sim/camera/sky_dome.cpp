@@ -10,8 +10,8 @@
 namespace eod::sim {
 namespace {
 
-constexpr int kPanoramaWidth = 4096;
-constexpr int kPanoramaHeight = 448;
+constexpr int kPanoramaWidth = 3072;
+constexpr int kPanoramaHeight = 384;
 constexpr int kColumns = 48;
 constexpr int kRows = 16;
 

@@ -28,10 +28,10 @@ struct Cloud {
   float light;
 };
 
-float CloudDensity(float x, float y) {
-  const float shape = TilingFbm(x * 0.55F, y * 0.55F, 64, 6, 201);
-  const float field = TilingFbm(x * 0.13F + 7.0F, y * 0.13F, 64, 2, 202);
-  return shape + 0.45F * (field - 0.5F);
+float CloudDensity(float x, float y, int octaves) {
+  const float shape = TilingFbm(x * 0.55F + 32, y * 0.55F + 32, 64, octaves, 201);
+  const float field = TilingNoise(x * 0.15F + 32, y * 0.15F + 32, 64, 202);
+  return shape + 0.34F * (field - 0.5F);
 }
 
 Cloud CloudAt(const Colour& direction, const Colour& sun) {
@@ -39,9 +39,11 @@ Cloud CloudAt(const Colour& direction, const Colour& sun) {
   const float scale = 1.7F / (direction.z() + 0.16F);
   const float x = direction.x() * scale;
   const float y = direction.y() * scale;
-  const float density = CloudDensity(x, y);
-  const float sunward = CloudDensity(x + 0.16F * sun.x(), y + 0.16F * sun.y());
-  return {SmoothStep(0.50F, 0.72F, density),
+  const float density = CloudDensity(x, y, 6);
+  const float cover = SmoothStep(0.50F, 0.72F, density);
+  if (cover == 0.0F) return {0, 0};
+  const float sunward = CloudDensity(x + 0.16F * sun.x(), y + 0.16F * sun.y(), 3);
+  return {cover,
           std::clamp(0.78F + 1.6F * (density - sunward) - 0.55F * (density - 0.55F), 0.0F, 1.0F)};
 }
 
@@ -71,9 +73,9 @@ struct Painter {
   Colour Sky(const Colour& direction) const {
     const float up = std::max(direction.z(), 0.0F);
     Colour colour = Mix(fog, zenith, 1.0F - std::exp(-3.2F * up));
-    const Cloud cloud = CloudAt(direction, sun);
-    const Colour white = Mix(Colour(0.58F, 0.62F, 0.68F), Colour(1.0F, 0.99F, 0.97F), cloud.light);
     const float haze = SmoothStep(0.01F, 0.22F, up);
+    const Cloud cloud = haze > 0 ? CloudAt(direction, sun) : Cloud{0, 0};
+    const Colour white = Mix(Colour(0.58F, 0.62F, 0.68F), Colour(1.0F, 0.99F, 0.97F), cloud.light);
     colour = Mix(colour, white, 0.9F * cloud.cover * haze);
     const float towards = std::max(direction.dot(sun), 0.0F);
     const Colour glow = atmosphere.sun_colour;

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
+
+#include "sim/camera/noise.h"
 
 namespace eod::sim {
 namespace {
@@ -84,7 +87,7 @@ Vector3d FaceCorner(const Vector3d& half, double chamfer, const Vector3d& sign, 
 
 void WriteBox(const Vector3d& size, double wanted_chamfer, VisualWriter& writer) {
   const Vector3d half = size / 2;
-  const double chamfer = half.minCoeff() > 3 * wanted_chamfer ? wanted_chamfer : 0.0;
+  const double chamfer = half.minCoeff() >= 3 * wanted_chamfer ? wanted_chamfer : 0.0;
   for (int a = 0; a < 3; ++a) {
     const int b = (a + 1) % 3;
     const int c = (a + 2) % 3;
@@ -119,12 +122,17 @@ void WriteBox(const Vector3d& size, double wanted_chamfer, VisualWriter& writer)
   }
 }
 
-int RoundSegments(double radius) { return std::clamp(static_cast<int>(10 + radius * 90), 10, 32); }
+int RoundSegments(double radius, const Detail& detail) {
+  return std::min(std::clamp(static_cast<int>(10 + radius * 50), 10, 24), detail.max_segments);
+}
 
 /// Cylinder or cone about Z: `top_radius` 0 for a cone. v runs around, so that lugs of a tyre and
 /// the grain of a post lie as they should.
-void WriteRound(double radius, double top_radius, double length, VisualWriter& writer) {
-  const int segments = RoundSegments(radius);
+void WriteRound(const Vector3d& size, double top_radius, const Detail& detail,
+                VisualWriter& writer) {
+  const double radius = size.x();
+  const double length = size.z();
+  const int segments = RoundSegments(radius, detail);
   const double half = length / 2;
   const double slope = (radius - top_radius) / length;
   std::array<uint32_t, 2> previous{};
@@ -158,8 +166,16 @@ void WriteRound(double radius, double top_radius, double length, VisualWriter& w
   }
 }
 
-void WriteSphere(double radius, VisualWriter& writer) {
-  const int segments = RoundSegments(radius);
+/// Radius in a direction: crowns of trees are no billiard balls.
+double LumpyRadius(double radius, const Vector3d& out) {
+  const Eigen::Vector3f place = (out * 2.1 + Vector3d::Constant(8)).cast<float>();
+  const float lumps =
+      TilingNoise(place.x() + 0.7F * place.z(), place.y() - 0.6F * place.z(), 64, 5);
+  return radius * (0.86 + 0.28 * static_cast<double>(lumps));
+}
+
+void WriteSphere(double radius, bool is_foliage, const Detail& detail, VisualWriter& writer) {
+  const int segments = std::min(RoundSegments(radius, detail), 20);
   const int rings = segments / 2;
   std::vector<uint32_t> below;
   for (int ring = 0; ring <= rings; ++ring) {
@@ -169,7 +185,8 @@ void WriteSphere(double radius, VisualWriter& writer) {
       const double angle = 2 * kPi * i / segments;
       const Vector3d out(std::cos(latitude) * std::cos(angle), std::cos(latitude) * std::sin(angle),
                          std::sin(latitude));
-      row.push_back(writer.Add(out * radius, out, Vector2d(angle, latitude) * radius));
+      const double reach = is_foliage ? LumpyRadius(radius, out) : radius;
+      row.push_back(writer.Add(out * reach, out, Vector2d(angle, latitude) * radius));
     }
     for (size_t i = 1; ring > 0 && i < row.size(); ++i) {
       writer.Triangle(below[i - 1], below[i], row[i]);
@@ -190,20 +207,37 @@ void WriteTriangles(std::span<const Eigen::Vector3f> corners, VisualWriter& writ
   }
 }
 
+/// Largest length of a shape along its own axes [m].
+double Extent(const Visual& visual) {
+  switch (visual.shape) {
+    case Visual::Shape::kBox:
+      return visual.size.maxCoeff();
+    case Visual::Shape::kCylinder:
+    case Visual::Shape::kCone:
+      return std::max(2 * visual.size.x(), visual.size.z());
+    case Visual::Shape::kSphere:
+      return 2 * visual.size.x();
+    case Visual::Shape::kMesh:
+      break;
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
 
-void AppendVisual(const Visual& visual, const Eigen::Isometry3d& X_BO, int bone, double chamfer,
-                  SurfaceMesh& mesh) {
+void AppendVisual(const Visual& visual, const Eigen::Isometry3d& X_BO, int bone,
+                  const Detail& detail, SurfaceMesh& mesh) {
+  if (Extent(visual) < detail.min_extent) return;
   VisualWriter writer(visual, X_BO, bone, mesh);
   switch (visual.shape) {
     case Visual::Shape::kBox:
-      return WriteBox(visual.size, chamfer, writer);
+      return WriteBox(visual.size, detail.chamfer, writer);
     case Visual::Shape::kCylinder:
-      return WriteRound(visual.size.x(), visual.size.x(), visual.size.z(), writer);
+      return WriteRound(visual.size, visual.size.x(), detail, writer);
     case Visual::Shape::kCone:
-      return WriteRound(visual.size.x(), 0, visual.size.z(), writer);
+      return WriteRound(visual.size, 0, detail, writer);
     case Visual::Shape::kSphere:
-      return WriteSphere(visual.size.x(), writer);
+      return WriteSphere(visual.size.x(), visual.material.texture == "grass", detail, writer);
     case Visual::Shape::kMesh:
       return WriteTriangles(visual.triangles, writer);
   }

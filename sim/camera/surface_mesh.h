@@ -26,11 +26,16 @@ struct SurfaceMesh {
   std::vector<uint32_t> indices;
 };
 
+/// How finely shapes are cut into triangles.
+struct Detail {
+  double chamfer = 0;     ///< [m] on edges of boxes that are large enough: they catch light
+  int max_segments = 24;  ///< of a full circle
+  double min_extent = 0;  ///< [m] shapes smaller than this in every direction are left out
+};
+
 /// Adds the triangles of `visual`, placed by `X_BO` in the frame of bone `bone`. Texture
-/// coordinates run in metres over the surface, divided by the material's tile size. Boxes get a
-/// chamfer of `chamfer` metres where they are large enough: edges that catch light make parts look
-/// made.
-void AppendVisual(const Visual& visual, const Eigen::Isometry3d& X_BO, int bone, double chamfer,
-                  SurfaceMesh& mesh);
+/// coordinates run in metres over the surface, divided by the material's tile size.
+void AppendVisual(const Visual& visual, const Eigen::Isometry3d& X_BO, int bone,
+                  const Detail& detail, SurfaceMesh& mesh);
 
 }  // namespace eod::sim

@@ -225,9 +225,9 @@ Image PaintSurfaceTexture(int index) {
 }
 
 Image PaintGroundVariation() {
-  Canvas canvas(128, 128);
+  Canvas canvas(256, 256);
   canvas.Fill([](float u, float v) {
-    return Colour(TilingFbm(u * 4, v * 4, 4, 5, 101), TilingFbm(u * 8, v * 8, 8, 4, 102), 0.5F);
+    return Colour(TilingFbm(u * 4, v * 4, 4, 6, 101), TilingFbm(u * 16, v * 16, 16, 4, 102), 0.5F);
   });
   return canvas.ToImage();
 }

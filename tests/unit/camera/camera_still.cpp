@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <png.h>
 
 #include "sim/camera/jpeg_encoder.h"
 #include "tests/unit/camera/fixture_scene.h"
@@ -21,7 +22,7 @@ struct Options {
   bool fixture = false;
   int module = 1;
   std::string camera = "drive";
-  std::string output = "still.jpg";
+  std::string output = "still.png";  // or .jpg, as the simulator compresses it
   int width = 640;
   int height = 480;
   double x = 0, y = 0, heading_deg = 0;
@@ -50,6 +51,20 @@ void AddFreeCamera(const std::vector<double>& view, const RobotState& state, Rob
   robot.cameras.push_back({.name = "free", .link = 0, .X_LC = X_MB.inverse() * X_MC});
 }
 
+void WritePng(const std::string& file, const OfflineCamera& camera,
+              const std::vector<uint8_t>& rgba) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(camera.width());
+  image.height = static_cast<png_uint_32>(camera.height());
+  image.format = PNG_FORMAT_RGBA;
+  // A negative stride: the bottom row comes first.
+  if (png_image_write_to_file(&image, file.c_str(), 0, rgba.data(), -4 * camera.width(), nullptr) ==
+      0) {
+    throw std::runtime_error(fmt::format("{}: {}", file, image.message));
+  }
+}
+
 void Run(const Options& options) {
   RobotModel robot = options.fixture ? FixtureRobot() : LoadRobot(options.robot);
   const WorldModel world = options.fixture ? FixtureWorld() : LoadWorld(options.world);
@@ -61,12 +76,17 @@ void Run(const Options& options) {
   for (const std::string& joint : options.joints) SetJoint(joint, snapshot.state);
   if (!options.view.empty()) AddFreeCamera(options.view, snapshot.state, robot);
   OfflineCamera camera(robot, world, options.width, options.height);
-  JpegEncoder encoder(options.width, options.height, 90);
+  JpegEncoder encoder(options.width, options.height, 80);
   const auto& pixels =
       camera.Take(snapshot, options.view.empty() ? options.camera : std::string("free"));
   const auto jpeg = encoder.Encode(pixels);
-  std::ofstream(options.output, std::ios::binary)
-      .write(reinterpret_cast<const char*>(jpeg.data()), static_cast<std::streamsize>(jpeg.size()));
+  if (options.output.ends_with(".png")) {
+    WritePng(options.output, camera, pixels);
+  } else {
+    std::ofstream(options.output, std::ios::binary)
+        .write(reinterpret_cast<const char*>(jpeg.data()),
+               static_cast<std::streamsize>(jpeg.size()));
+  }
   fmt::print("{}: {} bytes, quality {}, {} triangles, {} draw calls\n", options.output, jpeg.size(),
              encoder.last_quality(), camera.counters().triangles, camera.counters().draw_calls);
 }

@@ -1,0 +1,124 @@
+// Processor milliseconds a picture, stage by stage, along a drive through the training ground.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include "sim/camera/jpeg_encoder.h"
+#include "tests/unit/camera/offline_camera.h"
+
+namespace eod::sim {
+namespace {
+
+/// Processor time of the whole process, so that a busy machine does not count.
+struct Clock {
+  using duration = std::chrono::nanoseconds;
+  using time_point = duration;
+  static time_point now() {
+    timespec used{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+    return std::chrono::seconds(used.tv_sec) + std::chrono::nanoseconds(used.tv_nsec);
+  }
+};
+
+struct Options {
+  std::string robot = EOD_DATA_DIR "/sim/robots/eod_robot.sdf";
+  std::string world = EOD_DATA_DIR "/sim/worlds/training_ground.sdf";
+  int width = 640;
+  int height = 480;
+  int pictures = 200;
+};
+
+/// Durations of one stage [ms].
+class Stage {
+ public:
+  void Add(Clock::duration duration) {
+    ms_.push_back(std::chrono::duration<double, std::milli>(duration).count());
+  }
+  std::string Summary() {
+    std::sort(ms_.begin(), ms_.end());
+    double sum = 0;
+    for (const double one : ms_) sum += one;
+    return fmt::format("{:6.2f} {:6.2f} {:6.2f}", sum / static_cast<double>(ms_.size()),
+                       ms_[ms_.size() / 2], ms_[ms_.size() * 99 / 100]);
+  }
+
+ private:
+  std::vector<double> ms_;
+};
+
+/// A circle of 6 m radius around the start pad, the head looking about.
+SceneSnapshot OnTheWay(const RobotModel& robot, int picture, int pictures) {
+  const double turn = 2 * std::numbers::pi * picture / pictures;
+  SceneSnapshot snapshot;
+  snapshot.state = HomeState(robot);
+  snapshot.state.position = {6 * std::cos(turn), 6 * std::sin(turn), 0};
+  snapshot.state.attitude.heading = turn;
+  snapshot.state.joint[kCameraPan] = std::sin(3 * turn);
+  return snapshot;
+}
+
+void Run(const Options& options) {
+  const RobotModel robot = LoadRobot(options.robot);
+  const WorldModel world = LoadWorld(options.world);
+  const Clock::time_point begin = Clock::now();
+  OfflineCamera camera(robot, world, options.width, options.height);
+  camera.Take(OnTheWay(robot, 0, options.pictures), "drive");
+  fmt::print("start, first picture included: {:.0f} ms\n",
+             std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
+  JpegEncoder encoder(options.width, options.height, 80);
+  for (const char* name : {"drive", "mast"}) {
+    Stage render;
+    Stage compress;
+    size_t bytes = 0;
+    DrawCounters most;
+    for (int picture = 0; picture < options.pictures; ++picture) {
+      const SceneSnapshot snapshot = OnTheWay(robot, picture, options.pictures);
+      const Clock::time_point start = Clock::now();
+      const auto& pixels = camera.Take(snapshot, name);
+      const Clock::time_point rendered = Clock::now();
+      bytes += encoder.Encode(pixels).size();
+      render.Add(rendered - start);
+      compress.Add(Clock::now() - rendered);
+      most.triangles = std::max(most.triangles, camera.counters().triangles);
+      most.draw_calls = std::max(most.draw_calls, camera.counters().draw_calls);
+    }
+    fmt::print("{}: render and readback [ms: mean, median, p99] {}\n", name, render.Summary());
+    fmt::print("{}: JPEG                [ms: mean, median, p99] {}, {} bytes\n", name,
+               compress.Summary(), bytes / static_cast<size_t>(options.pictures));
+    fmt::print("{}: at most {} triangles, {} draw calls\n", name, most.triangles, most.draw_calls);
+  }
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  fmt::print("largest resident size: {} MB\n", usage.ru_maxrss / 1024);
+}
+
+}  // namespace
+}  // namespace eod::sim
+
+int main(int argc, char** argv) {
+  eod::sim::Options options;
+  CLI::App app(
+      "Processor milliseconds a camera picture takes; set LP_NUM_THREADS as the simulator does "
+      "(1)");
+  app.add_option("--robot", options.robot);
+  app.add_option("--world", options.world);
+  app.add_option("--width", options.width);
+  app.add_option("--height", options.height);
+  app.add_option("--pictures", options.pictures);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    eod::sim::Run(options);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return 1;
+  }
+  return 0;
+}

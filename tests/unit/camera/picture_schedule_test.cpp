@@ -1,0 +1,70 @@
+#include "sim/camera/picture_schedule.h"
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+namespace eod::sim {
+namespace {
+
+using std::chrono::milliseconds;
+
+TimePoint At(int64_t ms) { return TimePoint{milliseconds(ms)}; }
+
+TEST(PictureSchedule, DrawsEachCameraAtItsRate) {
+  // 25 Hz is a period of 40 ms: in a second of 4 ms steps (0, 4, ... 996) 25 pictures of each.
+  PictureSchedule dut(2, 25);
+  std::array<int, 2> drawn{};
+  for (int64_t ms = 0; ms < 1000; ms += 4) {
+    while (const auto camera = dut.Due(At(ms))) {
+      dut.Drawn(*camera, At(ms));
+      ++drawn.at(*camera);
+    }
+  }
+  EXPECT_EQ(drawn[0], 25);
+  EXPECT_EQ(drawn[1], 25);
+}
+
+TEST(PictureSchedule, KeepsTheMeanRateWhenStepsDoNotFitThePeriod) {
+  // 30 Hz on a 4 ms grid: 33.3 ms are 8 or 9 steps; 30 pictures a second all the same.
+  PictureSchedule dut(1, 30);
+  int drawn = 0;
+  for (int64_t ms = 0; ms < 10000; ms += 4) {
+    if (!dut.Due(At(ms))) continue;
+    dut.Drawn(0, At(ms));
+    ++drawn;
+  }
+  EXPECT_EQ(drawn, 300);
+}
+
+TEST(PictureSchedule, TakesTurnsWhenThereIsNoTimeForAll) {
+  // Every snapshot is overdue for both, but only one picture is drawn of each.
+  PictureSchedule dut(2, 50);
+  std::array<int, 2> drawn{};
+  for (int64_t ms = 0; ms < 1000; ms += 50) {
+    const auto camera = dut.Due(At(ms));
+    ASSERT_TRUE(camera.has_value());
+    dut.Drawn(*camera, At(ms));
+    ++drawn.at(*camera);
+  }
+  EXPECT_EQ(drawn[0], 10);
+  EXPECT_EQ(drawn[1], 10);
+}
+
+TEST(PictureSchedule, DoesNotCatchUpAfterAPause) {
+  PictureSchedule dut(1, 50);
+  dut.Drawn(0, At(0));
+  ASSERT_TRUE(dut.Due(At(1000)).has_value());
+  dut.Drawn(0, At(1000));
+  EXPECT_FALSE(dut.Due(At(1004)).has_value());
+  EXPECT_TRUE(dut.Due(At(1020)).has_value());
+}
+
+TEST(PictureSchedule, StartsAnewWhenTimeJumpsBack) {
+  PictureSchedule dut(1, 50);
+  dut.Drawn(0, At(60000));
+  EXPECT_TRUE(dut.Due(At(0)).has_value());
+}
+
+}  // namespace
+}  // namespace eod::sim
