@@ -88,14 +88,17 @@ uint32_t PressedMotions(const PanelStatus& status) {
 }
 
 constexpr std::array<std::string_view, 7> kLegend{
-    " arrows drive, turn   SPACE e-stop  z release it   x deadman  n reset  ENTER start",
+    " arrows drive, turn  SPACE e-stop  z release it  x deadman  n reset  ENTER start",
     " m key switch   1 2 3 creep low high   , . speed limit   c camera   v lamp test",
-    " 8 module flat  9 menu start  0 menu reset   b buzzer off          Q or Ctrl-C quit",
+    " 8 module flat   9 menu start   0 menu reset   b buzzer off   Q or Ctrl-C quit",
     " y/h front flipper   u/j rear flipper   q/a big arm   w/s small arm   e/d wrist",
     " r/f gripper roll    t/g gripper open/close   o/p pan left/right   i/k tilt",
     " A key holds its motion for 0.3 s after its last repeat: keep it down to go on.",
     " Drive: m m x n ENTER, then the arrows.",
 };
+static_assert(std::ranges::all_of(kLegend, [](std::string_view text) {
+  return text.size() <= kScreenWidth;
+}));
 
 }  // namespace
 
