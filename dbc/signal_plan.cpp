@@ -1,10 +1,7 @@
 #include "dbc/signal_plan.h"
 
 #include <algorithm>
-#include <bit>
-#include <cassert>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <stdexcept>
 
@@ -15,7 +12,6 @@ namespace {
 
 constexpr int kWordBytes = 8;
 constexpr int kWordBits = 64;
-static_assert(std::endian::native == std::endian::little, "byte swaps assume a little-endian host");
 
 constexpr uint64_t LowBits(int count) {
   return count >= kWordBits ? ~uint64_t{0} : (uint64_t{1} << count) - 1;
@@ -89,16 +85,15 @@ SignalPlan::SignalPlan(const Signal& signal, int message_length)
   first_byte_ = static_cast<uint16_t>(first_byte);
   shift_ = static_cast<uint8_t>(big_endian_ ? window_bits - lead - signal.length : lead);
 
+  is_plain_ = !is_float() && (is_signed_ || length_ < kWordBits);
+  mask_ = LowBits(length_);
+  sign_ = is_signed_ ? uint64_t{1} << (length_ - 1) : 0;
   raw_max_ = static_cast<int64_t>(LowBits(is_signed_ ? length_ - 1 : std::min(63, signal.length)));
   raw_min_ = is_signed_ ? -raw_max_ - 1 : 0;
 }
 
-uint64_t SignalPlan::Load(const uint8_t* window) const {
+uint64_t SignalPlan::LoadShort(const uint8_t* window) const {
   uint64_t word = 0;
-  if (window_ != Window::kShort) {
-    std::memcpy(&word, window, sizeof word);
-    return big_endian_ ? __builtin_bswap64(word) : word;
-  }
   for (int i = 0; i < byte_count_; ++i) {
     const int position = big_endian_ ? byte_count_ - 1 - i : i;
     word |= uint64_t{window[i]} << (8 * position);
@@ -106,62 +101,60 @@ uint64_t SignalPlan::Load(const uint8_t* window) const {
   return word;
 }
 
-void SignalPlan::Store(uint64_t word, uint8_t* window) const {
-  if (window_ != Window::kShort) {
-    if (big_endian_) word = __builtin_bswap64(word);
-    std::memcpy(window, &word, sizeof word);
-    return;
-  }
+uint64_t SignalPlan::LoadRare(const uint8_t* window) const {
+  if (window_ == Window::kShort) return LoadShort(window) >> shift_;
+  // The ninth byte is the most significant one for Intel, the least significant for Motorola.
+  const uint64_t word = LoadEight(window);
+  const uint8_t ninth = window[kWordBytes];
+  return big_endian_ ? word << (8 - shift_) | ninth >> shift_
+                     : word >> shift_ | uint64_t{ninth} << (kWordBits - shift_);
+}
+
+void SignalPlan::StoreEight(uint64_t word, uint8_t* window) const {
+  if (big_endian_) word = __builtin_bswap64(word);
+  std::memcpy(window, &word, sizeof word);
+}
+
+void SignalPlan::StoreShort(uint64_t word, uint8_t* window) const {
   for (int i = 0; i < byte_count_; ++i) {
     const int position = big_endian_ ? byte_count_ - 1 - i : i;
     window[i] = static_cast<uint8_t>(word >> (8 * position));
   }
 }
 
-int64_t SignalPlan::DecodeRaw(std::span<const uint8_t> payload) const {
-  assert(payload.size() >= static_cast<size_t>(first_byte_ + byte_count_));
-  const uint8_t* window = payload.data() + first_byte_;
-  uint64_t bits = Load(window);
-  if (window_ == Window::kNine) [[unlikely]] {
-    // The ninth byte is the most significant one for Intel, the least significant for Motorola.
-    bits = big_endian_ ? bits << (8 - shift_) | window[kWordBytes] >> shift_
-                       : bits >> shift_ | uint64_t{window[kWordBytes]} << (kWordBits - shift_);
+void SignalPlan::StoreNine(uint64_t bits, uint8_t* window) const {
+  const uint64_t word = LoadEight(window);
+  uint8_t& ninth = window[kWordBytes];
+  if (big_endian_) {
+    const int over = 8 - shift_;  // bits of the signal in the ninth byte
+    StoreEight((word & ~(mask_ >> over)) | bits >> over, window);
+    ninth = static_cast<uint8_t>((ninth & LowBits(shift_)) | bits << shift_);
   } else {
-    bits >>= shift_;
+    const int under = kWordBits - shift_;  // bits of the signal in the first eight bytes
+    StoreEight((word & LowBits(shift_)) | bits << shift_, window);
+    ninth = static_cast<uint8_t>((ninth & ~(mask_ >> under)) | bits >> under);
   }
-  const int unused = kWordBits - length_;
-  bits <<= unused;
-  return is_signed_ ? static_cast<int64_t>(bits) >> unused : static_cast<int64_t>(bits >> unused);
 }
 
 void SignalPlan::EncodeRaw(int64_t raw, std::span<uint8_t> payload) const {
   assert(payload.size() >= static_cast<size_t>(first_byte_ + byte_count_));
   uint8_t* window = payload.data() + first_byte_;
-  const uint64_t mask = LowBits(length_);
-  const uint64_t bits = static_cast<uint64_t>(raw) & mask;
-  const uint64_t word = Load(window);
-  if (window_ != Window::kNine) [[likely]] {
-    Store((word & ~(mask << shift_)) | bits << shift_, window);
-    return;
-  }
-  const uint8_t ninth = window[kWordBytes];
-  if (big_endian_) {
-    const int over = 8 - shift_;  // bits of the signal in the ninth byte
-    Store((word & ~(mask >> over)) | bits >> over, window);
-    window[kWordBytes] = static_cast<uint8_t>((ninth & LowBits(shift_)) | bits << shift_);
-  } else {
-    const int under = kWordBits - shift_;  // bits of the signal in the first eight bytes
-    Store((word & LowBits(shift_)) | bits << shift_, window);
-    window[kWordBytes] = static_cast<uint8_t>((ninth & ~(mask >> under)) | bits >> under);
+  const uint64_t bits = static_cast<uint64_t>(raw) & mask_;
+  const uint64_t others = ~(mask_ << shift_);
+  switch (window_) {
+    case Window::kEight:
+      return StoreEight((LoadEight(window) & others) | bits << shift_, window);
+    case Window::kShort:
+      return StoreShort((LoadShort(window) & others) | bits << shift_, window);
+    case Window::kNine:
+      return StoreNine(bits, window);
   }
 }
 
-double SignalPlan::ToPhysical(int64_t raw) const {
+double SignalPlan::ToPhysicalRare(int64_t raw) const {
   double value = 0;
   if (type_ == ValueType::kInteger) {
-    // Only an unsigned 64-bit signal has raw values that look negative here.
-    value = is_signed_ || raw >= 0 ? static_cast<double>(raw)
-                                   : static_cast<double>(static_cast<uint64_t>(raw));
+    value = static_cast<double>(static_cast<uint64_t>(raw));
   } else {
     value = type_ == ValueType::kFloat
                 ? static_cast<double>(std::bit_cast<float>(static_cast<uint32_t>(raw)))
