@@ -104,11 +104,11 @@ Mesh PlaneMesh(double size_x, double size_y, double cell) {
   return mesh;
 }
 
-Mesh Transformed(const Eigen::Isometry3d& X_AB, Mesh mesh_B) {
-  for (Triangle& triangle : mesh_B) {
+Mesh Transformed(const Eigen::Isometry3d& X_AB, Mesh mesh) {
+  for (Triangle& triangle : mesh) {
     for (Vector3d& corner : triangle) corner = X_AB * corner;
   }
-  return mesh_B;
+  return mesh;
 }
 
 }  // namespace eod::sim

@@ -26,7 +26,7 @@ Mesh SphereMesh(double radius, int rings, int sides);
 /// Rectangle in the XY plane facing +Z, cut into cells no longer than `cell` [m].
 Mesh PlaneMesh(double size_x, double size_y, double cell);
 
-/// Every corner moved by `X_AB`.
-Mesh Transformed(const Eigen::Isometry3d& X_AB, Mesh mesh_B);
+/// `mesh`, given in B, with every corner in A.
+Mesh Transformed(const Eigen::Isometry3d& X_AB, Mesh mesh);
 
 }  // namespace eod::sim
