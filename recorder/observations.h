@@ -53,7 +53,8 @@ struct MissionSeen {
 
 struct PanelSeen {
   std::string script_line;
-  bool script_done = false;
+  bool script_done = false;  ///< ended, well or not
+  bool script_failed = false;
 };
 
 enum class Camera : uint8_t { kDrive, kMast };

@@ -78,6 +78,10 @@ MissionSeen Seen(const mission_status_t& message) {
           message.step_text};
 }
 
+PanelSeen Seen(const panel_status_t& message) {
+  return {message.script_line, message.script_done != 0, message.script_failed != 0};
+}
+
 }  // namespace
 
 RecorderNode::RecorderNode(const RecorderConfig& config, const RunFolder& folder, CanBus& bus,
@@ -150,7 +154,7 @@ void RecorderNode::Observe(const lcm::ReceiveBuffer& buffer, const std::string& 
     if (const auto mission = Decode<mission_status_t>(buffer)) observer_.OnMission(Seen(*mission));
   } else if (is(kPanelStatusChannel)) {
     const auto panel = Decode<panel_status_t>(buffer);
-    if (panel) observer_.OnPanel({panel->script_line, panel->script_done != 0});
+    if (panel) observer_.OnPanel(Seen(*panel));
   } else if (is(kDriveCameraChannel)) {
     OnImage(buffer, Camera::kDrive);
   } else if (is(kMastCameraChannel)) {

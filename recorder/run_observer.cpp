@@ -71,8 +71,7 @@ void RunObserver::MarkMissionProgress(const MissionSeen& next) {
 
 void RunObserver::OnPanel(const PanelSeen& panel) {
   script_seen_ = script_seen_ || !panel.script_line.empty() || panel.script_done;
-  script_done_ = panel.script_done;
-  script_line_ = panel.script_line;
+  panel_ = panel;
 }
 
 void RunObserver::OnPicture(Camera camera, TimePoint time, int width, int height,
@@ -103,15 +102,18 @@ LiveStatus RunObserver::live() const {
       [this](TimePoint time) { return state_.time - time < std::chrono::seconds(1); }));
   live.link = link_;
   live.mission = mission_;
-  live.script_line = script_line_;
+  live.script_line = panel_.script_line;
   return live;
 }
 
 bool RunObserver::mission_ended() const { return IsOutcome(last_outcome_); }
 
 std::string RunObserver::Result() const {
-  const bool script_pending = script_seen_ && !script_done_;
-  if (last_outcome_ == MissionState::kFail || last_outcome_ == MissionState::kAbort) return "fail";
+  const bool script_pending = script_seen_ && !panel_.script_done;
+  if (last_outcome_ == MissionState::kFail || last_outcome_ == MissionState::kAbort ||
+      panel_.script_failed) {
+    return "fail";
+  }
   if (last_outcome_ == MissionState::kSuccess && !script_pending) return "success";
   return "incomplete";
 }

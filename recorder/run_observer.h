@@ -52,7 +52,7 @@ class RunObserver {
   std::vector<Moment> TellingMoments(size_t count) const { return moments_.Select(count); }
 
   bool mission_ended() const;
-  bool script_done() const { return script_done_; }
+  bool script_done() const { return panel_.script_done; }
   int unanswered_presses() const { return latency_.unanswered_presses(); }
   /// Raised alarms so far, oldest first.
   const std::vector<RaisedAlarm>& alarms() const { return alarms_; }
@@ -71,8 +71,7 @@ class RunObserver {
   MissionSeen mission_;
   MissionState last_outcome_ = MissionState::kIdle;
   bool script_seen_ = false;
-  bool script_done_ = false;
-  std::string script_line_;
+  PanelSeen panel_;
 
   Moments moments_;
   int64_t drive_frames_ = 0;

@@ -19,8 +19,8 @@ struct RaisedAlarm {
 struct Summary {
   std::string bus;
   std::string module;
-  /// "success": mission and operator script ended well; "fail": the mission failed or was aborted;
-  /// "incomplete": neither.
+  /// "success": mission and operator script ended well; "fail": the mission failed or was aborted,
+  /// or the script met what it did not expect; "incomplete": neither.
   std::string result;
   double sim_seconds = 0;
   std::vector<RaisedAlarm> alarms;

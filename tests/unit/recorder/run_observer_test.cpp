@@ -63,13 +63,13 @@ TEST_F(RunObserverTest, ListsRaisedAlarmsOnly) {
 
 TEST_F(RunObserverTest, SucceedsWhenMissionAndScriptDo) {
   RunUntil(1);
-  dut_.OnPanel({"12 drive", false});
+  dut_.OnPanel({"hold M01 for 2s", false, false});
   Mission(MissionState::kRun);
   EXPECT_EQ(dut_.Summarize().result, "incomplete");
   Mission(MissionState::kSuccess, 2);
   EXPECT_TRUE(dut_.mission_ended());
   EXPECT_EQ(dut_.Summarize().result, "incomplete") << "the script has not finished";
-  dut_.OnPanel({"", true});
+  dut_.OnPanel({"", true, false});
   EXPECT_EQ(dut_.Summarize().result, "success");
 }
 
@@ -92,6 +92,14 @@ TEST_F(RunObserverTest, FailsWithTheMission) {
   RunUntil(1);
   Mission(MissionState::kRun);
   Mission(MissionState::kAbort);
+  EXPECT_EQ(dut_.Summarize().result, "fail");
+}
+
+TEST_F(RunObserverTest, FailsWithTheScriptEvenAfterTheMission) {
+  RunUntil(1);
+  Mission(MissionState::kRun);
+  Mission(MissionState::kSuccess, 2);
+  dut_.OnPanel({"", true, true});
   EXPECT_EQ(dut_.Summarize().result, "fail");
 }
 
