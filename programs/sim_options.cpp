@@ -74,6 +74,20 @@ void AddCameraOptions(CLI::App& app, SimOptions& options) {
                "draw isectors and hits into the pictures");
 }
 
+void AddLockStepOptions(CLI::App& app, SimOptions& options) {
+  const char* group = "Lock-step: replay a CAN log without any other program, same log same bytes";
+  auto* lockstep =
+      app.add_flag("--lockstep", options.lockstep, "virtual time, as fast as the processor allows");
+  auto* log = app.add_option("--can-log", options.can_log, "in: as candump -L writes it");
+  auto* out =
+      app.add_option("--out", options.out,
+                     "out: folder for states.csv, can.log (what the robot sent), result.json");
+  auto* dbc = app.add_option("--dbc", options.dbc, "CAN data base of the box");
+  auto* map = app.add_option("--map", options.map, "what its signals mean to the robot");
+  lockstep->needs(log)->needs(out)->group(group);
+  for (auto* option : {log, out, dbc, map}) option->needs(lockstep)->group(group);
+}
+
 }  // namespace
 
 void AddSimOptions(CLI::App& app, SimOptions& options) {
@@ -83,6 +97,7 @@ void AddSimOptions(CLI::App& app, SimOptions& options) {
   AddStepOptions(app, options);
   AddIsectorOptions(app, options);
   AddCameraOptions(app, options);
+  AddLockStepOptions(app, options);
 }
 
 std::string Describe(const SimOptions& options) {
@@ -97,6 +112,11 @@ std::string Describe(const SimOptions& options) {
       options.world.string(), options.robot.string(), options.scenario.string(), 1000 * period_s,
       1 / period_s, 1000 * ToSeconds(options.node.simulator.command_timeout),
       options.node.simulator.coverage == Coverage::kPaper ? "paper" : "extended");
+  if (options.lockstep) {
+    return text + fmt::format("lock-step        {} into {}, by {} and {}\n",
+                              options.can_log.string(), options.out.string(), options.dbc.string(),
+                              options.map.string());
+  }
   text += options.cameras
               ? fmt::format("cameras          {} at {}x{}, {:g} Hz\n",
                             fmt::join(options.camera.cameras, ", "), options.camera.width,

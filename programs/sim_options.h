@@ -19,6 +19,12 @@ struct SimOptions {
   SimNodeConfig node;
   bool cameras = true;
   CameraConfig camera;
+  // Lock-step: a candump log instead of LCM.
+  bool lockstep = false;
+  std::filesystem::path dbc = EOD_DATA_DIR "/dbc/control_box.dbc";
+  std::filesystem::path map = EOD_DATA_DIR "/dbc/control_box.map.toml";
+  std::filesystem::path can_log;
+  std::filesystem::path out;
 };
 
 /// Registers all but the station's options. Values go to `options`, which must outlive the parsing.

@@ -1,0 +1,55 @@
+#include "programs/simulate.h"
+
+#include <memory>
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include "lockstep/replay.h"
+#include "platform/run_main.h"
+#include "platform/run_node.h"
+#include "sim/picture_node.h"
+
+namespace eod::sim {
+
+void SimulateLive(const SimOptions& options, const StationOptions& station) {
+  // Steps and messages before strangers, where the system lets us; the cameras' thread steps back.
+  setpriority(PRIO_PROCESS, 0, -15);
+  const RobotModel robot = LoadRobot(options.robot);
+  const WorldModel world = LoadWorld(options.world);
+  const Scenario scenario = LoadScenario(options.scenario);
+  const SteadyClock clock;
+  const auto lcm = OpenLcm(station.lcm);
+  SimNode node(options.node, robot, world, scenario, *lcm, clock);
+
+  PictureNode pictures(*lcm, options.node.channel_prefix);
+  std::unique_ptr<CameraThread> cameras;
+  if (options.cameras) {
+    cameras = std::make_unique<CameraThread>(
+        robot, world, options.camera,
+        [&pictures](const Picture& picture) { pictures.Publish(picture); });
+    node.SetSceneOutput(
+        {.show = [&cameras](const auto& scene) { cameras->Show(scene); },
+         .period = std::chrono::nanoseconds(static_cast<int64_t>(1e9 / options.camera.rate_hz)),
+         .draw_isectors = options.camera.draw_isectors});
+  }
+  SayReady(station.lcm.url.empty() ? "LCM" : station.lcm.url);
+  const uint64_t overruns = RunNode(node, nullptr, *lcm, clock);
+  fmt::print("{} steps, {} overruns, {} pictures\n", node.simulator().last().step, overruns,
+             cameras ? cameras->pictures() : 0);
+}
+
+void SimulateLog(const SimOptions& options) {
+  const RobotModel robot = LoadRobot(options.robot);
+  const WorldModel world = LoadWorld(options.world);
+  const Scenario scenario = LoadScenario(options.scenario);
+  lockstep::ReplayConfig config;
+  config.rig.bridge.dbc_file = options.dbc;
+  config.rig.bridge.map_file = options.map;
+  config.rig.sim = options.node;
+  config.can_log = options.can_log;
+  config.out = options.out;
+  lockstep::ReplayLog(config, robot, world, scenario);
+}
+
+}  // namespace eod::sim
