@@ -6,7 +6,8 @@
 
 namespace eod {
 
-/// One row of the LCM contract. A channel's name on the wire is the station's prefix followed by `name`.
+/// One row of the LCM contract. A channel's name on the wire is the station's prefix followed by
+/// `name`.
 struct Channel {
   std::string_view name;
   std::string_view type;
@@ -22,12 +23,13 @@ inline constexpr Channel kRobotStateChannel{"EOD_ROBOT_STATE", "robot_state_t", 
                                             "canbridge, recorder", "every step"};
 inline constexpr Channel kAlarmChannel{"EOD_ALARM", "alarm_t", "sim, canbridge",
                                        "canbridge, recorder", "on change, and every 100 ms"};
-inline constexpr Channel kIsectorHitsChannel{"EOD_ISECTOR_HITS", "isector_hits_t", "sim", "recorder",
-                                             "every step with --publish-isectors"};
+inline constexpr Channel kIsectorHitsChannel{"EOD_ISECTOR_HITS", "isector_hits_t", "sim",
+                                             "recorder", "every step with --publish-isectors"};
 inline constexpr Channel kLinkStatusChannel{"EOD_LINK_STATUS", "link_status_t", "canbridge",
                                             "recorder", "on change, and every 100 ms"};
 inline constexpr Channel kMissionStatusChannel{"EOD_MISSION_STATUS", "mission_status_t", "sim",
-                                               "canbridge, recorder", "on change, and every 200 ms"};
+                                               "canbridge, recorder",
+                                               "on change, and every 200 ms"};
 inline constexpr Channel kDriveCameraChannel{"EOD_CAMERA_DRIVE", "image_t", "sim", "recorder",
                                              "25 to 30 Hz"};
 inline constexpr Channel kMastCameraChannel{"EOD_CAMERA_MAST", "image_t", "sim", "recorder",
@@ -37,11 +39,10 @@ inline constexpr Channel kPanelCommandChannel{"EOD_PANEL_COMMAND", "panel_comman
 inline constexpr Channel kPanelStatusChannel{"EOD_PANEL_STATUS", "panel_status_t", "firmware_emu",
                                              "recorder", "on change, and every 100 ms"};
 
-inline constexpr std::array kChannels{kBoxCommandChannel,     kRobotStateChannel,
-                                      kAlarmChannel,          kIsectorHitsChannel,
-                                      kLinkStatusChannel,     kMissionStatusChannel,
-                                      kDriveCameraChannel,    kMastCameraChannel,
-                                      kPanelCommandChannel,   kPanelStatusChannel};
+inline constexpr std::array kChannels{
+    kBoxCommandChannel,   kRobotStateChannel,    kAlarmChannel,       kIsectorHitsChannel,
+    kLinkStatusChannel,   kMissionStatusChannel, kDriveCameraChannel, kMastCameraChannel,
+    kPanelCommandChannel, kPanelStatusChannel};
 
 /// Name of `channel` on the wire for the station `prefix` (empty for a single station).
 inline std::string ChannelName(std::string_view prefix, const Channel& channel) {

@@ -51,8 +51,6 @@ int RunMain(CLI::App& app, const char* version, int argc, char** argv,
   return kFailure;
 }
 
-void SayReady(std::string_view where) {
-  std::cout << "ready on " << where << std::endl;
-}
+void SayReady(std::string_view where) { std::cout << "ready on " << where << std::endl; }
 
 }  // namespace eod
