@@ -7,11 +7,14 @@
 namespace eod::sim {
 
 /// An off-screen OpenGL 3.3 core context: the seam between the cameras and the system's OpenGL.
-/// It is current on the thread that made it, and must be used and destroyed there.
+/// It is current on the thread that made it, and must be used and destroyed there, as must its
+/// objects.
 class GlContext {
  public:
   virtual ~GlContext() = default;
   virtual const GlFunctions& gl() const = 0;
+  /// Makes it current again after another context of the same thread. Throws std::runtime_error.
+  virtual void MakeCurrent() = 0;
 };
 
 /// Context in plain memory, rendered by the CPU (Mesa's llvmpipe). Everything is drawn into

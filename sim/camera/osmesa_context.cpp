@@ -18,16 +18,20 @@ struct DestroyOsMesa {
 class OsMesaGlContext : public GlContext {
  public:
   OsMesaGlContext() : context_(Create()) {
+    MakeCurrent();
+    gl_ = LoadGlFunctions(&OSMesaGetProcAddress);
+  }
+
+  const GlFunctions& gl() const override { return gl_; }
+
+  void MakeCurrent() override {
     if (context_ == nullptr || OSMesaMakeCurrent(context_.get(), dummy_.data(), GL_UNSIGNED_BYTE,
                                                  kSide, kSide) == GL_FALSE) {
       throw std::runtime_error(
           "cameras: OSMesa gives no OpenGL 3.3 core context; install libosmesa6 22.3 or newer, or "
           "run with --no-cameras");
     }
-    gl_ = LoadGlFunctions(&OSMesaGetProcAddress);
   }
-
-  const GlFunctions& gl() const override { return gl_; }
 
  private:
   static constexpr int kSide = 16;

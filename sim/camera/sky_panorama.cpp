@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "sim/camera/noise.h"
 
 namespace eod::sim {
 namespace {
 
+using Eigen::Vector3f;
 using Colour = Eigen::Vector3f;
 
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kLowest = -3.0F * kPi / 180.0F;
 constexpr float kHighest = 90.0F * kPi / 180.0F;
+constexpr float kHighestLand = 7.0F * kPi / 180.0F;
 
 float SmoothStep(float low, float high, float value) {
   const float t = std::clamp((value - low) / (high - low), 0.0F, 1.0F);
@@ -34,7 +37,7 @@ float CloudDensity(float x, float y, int octaves) {
   return shape + 0.34F * (field - 0.5F);
 }
 
-Cloud CloudAt(const Colour& direction, const Colour& sun) {
+Cloud CloudAt(const Vector3f& direction, const Vector3f& to_sun) {
   // The plane bends down with the distance, else clouds shrink to lines at the horizon.
   const float scale = 1.7F / (direction.z() + 0.16F);
   const float x = direction.x() * scale;
@@ -42,7 +45,7 @@ Cloud CloudAt(const Colour& direction, const Colour& sun) {
   const float density = CloudDensity(x, y, 6);
   const float cover = SmoothStep(0.50F, 0.72F, density);
   if (cover == 0.0F) return {0, 0};
-  const float sunward = CloudDensity(x + 0.16F * sun.x(), y + 0.16F * sun.y(), 3);
+  const float sunward = CloudDensity(x + 0.16F * to_sun.x(), y + 0.16F * to_sun.y(), 3);
   return {cover,
           std::clamp(0.78F + 1.6F * (density - sunward) - 0.55F * (density - 0.55F), 0.0F, 1.0F)};
 }
@@ -64,44 +67,57 @@ float TreeTop(float u) {
   return degrees * kPi / 180.0F;
 }
 
+/// Heights above the horizon [rad] of what stands there, in one direction.
+struct Skyline {
+  float far_hills;
+  float near_hills;
+  float trees;
+};
+
+Skyline SkylineAt(float u) {
+  return {Ridge(u, 5, 0.2F, 6.4F, 311), Ridge(u, 9, -0.6F, 4.2F, 312), TreeTop(u)};
+}
+
 struct Painter {
   const Atmosphere& atmosphere;
-  Colour sun;
+  Vector3f to_sun;
   Colour fog;
   Colour zenith;
 
-  Colour Sky(const Colour& direction) const {
+  Colour Sky(const Vector3f& direction) const {
     const float up = std::max(direction.z(), 0.0F);
     Colour colour = Mix(fog, zenith, 1.0F - std::exp(-3.2F * up));
     const float haze = SmoothStep(0.01F, 0.22F, up);
-    const Cloud cloud = haze > 0 ? CloudAt(direction, sun) : Cloud{0, 0};
+    const Cloud cloud = haze > 0 ? CloudAt(direction, to_sun) : Cloud{0, 0};
     const Colour white = Mix(Colour(0.58F, 0.62F, 0.68F), Colour(1.0F, 0.99F, 0.97F), cloud.light);
     colour = Mix(colour, white, 0.9F * cloud.cover * haze);
-    const float towards = std::max(direction.dot(sun), 0.0F);
-    const Colour glow = atmosphere.sun_colour;
-    colour += glow * (0.16F * std::pow(towards, 12.0F) + 0.35F * std::pow(towards, 160.0F));
+    const float towards = std::max(direction.dot(to_sun), 0.0F);
+    colour += atmosphere.sun_colour *
+              (0.16F * std::pow(towards, 12.0F) + 0.35F * std::pow(towards, 160.0F));
     // Disc of three degrees: a camera's bloom makes it larger than it is.
-    colour = Mix(colour, Colour(1.0F, 0.99F, 0.95F), SmoothStep(0.99935F, 0.9997F, towards));
-    return colour;
+    return Mix(colour, Colour(1.0F, 0.99F, 0.95F), SmoothStep(0.99935F, 0.9997F, towards));
   }
 
-  Colour At(float u, float elevation) const {
-    const float azimuth = 2 * kPi * u;
-    const Colour direction(std::sin(azimuth) * std::cos(elevation),
-                           std::cos(azimuth) * std::cos(elevation), std::sin(elevation));
-    Colour colour = Sky(direction);
-    const auto cover = [&](const Colour& with, float top, float softness) {
-      colour = Mix(colour, with, 1.0F - SmoothStep(top - softness, top + softness, elevation));
+  /// `sky` with the hills and trees that stand before it.
+  Colour Land(Colour sky, const Skyline& line, float u, float elevation) const {
+    constexpr float kSoftness = 0.0012F;  // [rad] a pixel
+    const auto cover = [&](const Colour& with, float top) {
+      sky = Mix(sky, with, 1.0F - SmoothStep(top - kSoftness, top + kSoftness, elevation));
     };
-    const float pixel = 0.0012F;
-    cover(Mix(fog, Colour(0.48F, 0.57F, 0.68F), 0.50F), Ridge(u, 5, 0.2F, 6.4F, 311), pixel);
-    cover(Mix(fog, Colour(0.42F, 0.53F, 0.53F), 0.70F), Ridge(u, 9, -0.6F, 4.2F, 312), pixel);
+    cover(Mix(fog, Colour(0.48F, 0.57F, 0.68F), 0.50F), line.far_hills);
+    cover(Mix(fog, Colour(0.42F, 0.53F, 0.53F), 0.70F), line.near_hills);
     const float leaf = TilingNoise(u * 1800.0F, elevation * 300.0F, 1800, 313);
-    const Colour wood = Colour(0.30F, 0.38F, 0.25F) * (0.85F + 0.3F * leaf);
-    cover(Mix(fog, wood, 0.78F), TreeTop(u), pixel);
+    cover(Mix(fog, Colour(0.30F, 0.38F, 0.25F) * (0.85F + 0.3F * leaf), 0.78F), line.trees);
     // Mist at the foot of the trees joins them with the fogged ground.
-    const float mist = 1.0F - SmoothStep(-0.003F, 0.006F, elevation);
-    return Mix(colour, fog, 0.85F * mist);
+    return Mix(sky, fog, 0.85F * (1.0F - SmoothStep(-0.003F, 0.006F, elevation)));
+  }
+
+  Colour At(float u, float elevation, const Skyline& line) const {
+    const float azimuth = 2 * kPi * u;
+    const Vector3f direction(std::sin(azimuth) * std::cos(elevation),
+                             std::cos(azimuth) * std::cos(elevation), std::sin(elevation));
+    const Colour sky = Sky(direction);
+    return elevation < kHighestLand ? Land(sky, line, u, elevation) : sky;
   }
 };
 
@@ -114,13 +130,17 @@ float PanoramaRow(float elevation) {
 }
 
 Image PaintSkyPanorama(const Atmosphere& atmosphere, int width, int height) {
-  const auto gamma = [](const Eigen::Vector3f& linear) {
-    return Colour(linear.cwiseMax(0.0F).cwiseSqrt());
-  };
-  const Painter painter{atmosphere, atmosphere.sun_direction.normalized(),
-                        gamma(atmosphere.fog_colour), gamma(atmosphere.sky_colour)};
+  const Painter painter{atmosphere, atmosphere.sun_direction.normalized(), atmosphere.fog_colour,
+                        atmosphere.sky_colour};
+  std::vector<Skyline> skyline;
+  for (int x = 0; x < width; ++x) {
+    skyline.push_back(SkylineAt((static_cast<float>(x) + 0.5F) / static_cast<float>(width)));
+  }
   Canvas canvas(width, height);
-  canvas.Fill([&](float u, float v) { return painter.At(u, PanoramaElevation(v)); });
+  canvas.Fill([&](float u, float v) {
+    const auto column = static_cast<size_t>(u * static_cast<float>(width));
+    return painter.At(u, PanoramaElevation(v), skyline.at(column));
+  });
   return canvas.ToImage();
 }
 

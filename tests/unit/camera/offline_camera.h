@@ -14,6 +14,7 @@ class OfflineCamera {
  public:
   OfflineCamera(const RobotModel& robot, const WorldModel& world, int width = 640,
                 int height = 480);
+  ~OfflineCamera();
 
   /// RGBA, bottom row first. Valid until the next call.
   const std::vector<uint8_t>& Take(const SceneSnapshot& snapshot, const std::string& camera);
