@@ -111,6 +111,6 @@ build_jobs() {
 build() {
   local preset=$1
   shift
-  NINJA_STATUS='[%f/%t, %es] ' run_child ninja -C "build/$preset" -j "$(build_jobs)" "$@" ||
+  NINJA_STATUS='[%f/%t, %es] ' run_child env -C "build/$preset" ninja -j "$(build_jobs)" "$@" ||
     fail "the build of preset $preset failed, see above"
 }
