@@ -27,7 +27,7 @@ bool IsSafetyEvent(const dbc::PanelState& before, const dbc::PanelState& after) 
 
 ControlBox::ControlBox(dbc::BoxCodec codec, const ControlBoxConfig& config)
     : config_(config), codec_(std::move(codec)), scanner_(config.scanner), schedule_(codec_) {
-  frames_.reserve(2 * dbc::kBoxMessageCount);
+  frames_.reserve(size_t{2} * dbc::kBoxMessageCount);
 }
 
 std::span<const CanFrame> ControlBox::Tick(TimePoint now, const PanelInputs& inputs) {

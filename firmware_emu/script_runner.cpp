@@ -20,8 +20,8 @@ ScriptRunner::ScriptRunner(Script script) : script_(std::move(script)) {
 }
 
 const std::string& ScriptRunner::current_line() const {
-  static const std::string kNothing;
-  return is_done_ ? kNothing : script_.statements[next_].text;
+  static const std::string nothing;
+  return is_done_ ? nothing : script_.statements[next_].text;
 }
 
 std::vector<std::string> ScriptRunner::TakeNotes() { return std::exchange(notes_, {}); }
