@@ -10,11 +10,11 @@ Eigen::Matrix3d ToRotation(const Attitude& attitude) {
   const double sh = std::sin(attitude.heading), ch = std::cos(attitude.heading);
   const double sp = std::sin(attitude.pitch), cp = std::cos(attitude.pitch);
   const double sr = std::sin(attitude.roll), cr = std::cos(attitude.roll);
-  Eigen::Matrix3d R;  // Rz(heading) Rx(pitch) Ry(roll), multiplied out
-  R << ch * cr - sh * sp * sr, -sh * cp, ch * sr + sh * sp * cr,  //
+  Eigen::Matrix3d R_WB;  // Rz(heading) Rx(pitch) Ry(roll), multiplied out
+  R_WB << ch * cr - sh * sp * sr, -sh * cp, ch * sr + sh * sp * cr,  //
       sh * cr + ch * sp * sr, ch * cp, sh * sr - ch * sp * cr,    //
       -cp * sr, sp, cp * cr;
-  return R;
+  return R_WB;
 }
 
 Attitude ToAttitude(const Eigen::Matrix3d& R_WB) {

@@ -16,7 +16,19 @@ namespace eod::sim {
 [[noreturn]] void FailAt(const std::filesystem::path& file, int line, const std::string& text);
 
 /// An element of our own in an SDFormat file: `<eod:NAME attribute="…">`, which other tools pass
-/// over. What SDFormat has no word for (isectors, modules, proxies) is said with them.
+/// over. What SDFormat has no word for is said with them:
+///
+///   visual     <eod:surface texture="brick" tile="0.75"/>: texture by name, size of a tile [m]
+///   visual, collision  <eod:cone/>: the cylinder tapers to its top; <eod:grid cell="2"/>: how
+///              finely a plane is cut [m]
+///   collision  <eod:proxy kind="clamp|bump|both"/>: stood on, run into, or both (default)
+///   world      <eod:module id name frame size_x_m size_y_m start_heading_deg/>: a training area;
+///              its models are posed relative_to its frame, whose origin is the start pad
+///   model      <eod:chassis creep_mps low_mps high_mps turn_deg_per_s step_up_m fall_search_m/>
+///   joint      <eod:motion index positive negative home_deg|home_m/>: this is J1..J9, and the two
+///              motions that move it; <eod:follows joint scale hand/>: moved by another joint
+///   link       <eod:isector name method part motions pose coverage> with <eod:segment name start
+///              direction length d0 skin motions/>: `motions` is "M01 M03", "all" or "always"
 struct CustomElement {
   std::filesystem::path file;
   int line = 0;
