@@ -25,12 +25,29 @@ const BridgeNodeConfig kConfig{.dbc_file = EOD_DATA_DIR "/dbc/control_box.dbc",
                                .channel_prefix = "LAB1_",
                                .bridge = {}};
 
+/// What came over LCM.
+struct Inbox {
+  void OnCommand(const lcm::ReceiveBuffer*, const std::string&, const box_command_t* message) {
+    commands.push_back(*message);
+  }
+  void OnLink(const lcm::ReceiveBuffer*, const std::string&, const link_status_t* message) {
+    links.push_back(*message);
+  }
+  void OnAlarm(const lcm::ReceiveBuffer*, const std::string&, const alarm_t* message) {
+    alarms.push_back(*message);
+  }
+
+  std::vector<box_command_t> commands;
+  std::vector<link_status_t> links;
+  std::vector<alarm_t> alarms;
+};
+
 class BridgeNodeTest : public testing::Test {
  protected:
   BridgeNodeTest() {
-    lcm.subscribe("LAB1_EOD_BOX_COMMAND", &BridgeNodeTest::OnCommand, this);
-    lcm.subscribe("LAB1_EOD_LINK_STATUS", &BridgeNodeTest::OnLink, this);
-    lcm.subscribe("LAB1_EOD_ALARM", &BridgeNodeTest::OnAlarm, this);
+    lcm.subscribe("LAB1_EOD_BOX_COMMAND", &Inbox::OnCommand, &inbox);
+    lcm.subscribe("LAB1_EOD_LINK_STATUS", &Inbox::OnLink, &inbox);
+    lcm.subscribe("LAB1_EOD_ALARM", &Inbox::OnAlarm, &inbox);
     panel.key = dbc::KeySwitch::kOperate;
     panel.nmt = dbc::NmtState::kOperational;
   }
@@ -67,16 +84,6 @@ class BridgeNodeTest : public testing::Test {
     }
   }
 
-  void OnCommand(const lcm::ReceiveBuffer*, const std::string&, const box_command_t* message) {
-    commands.push_back(*message);
-  }
-  void OnLink(const lcm::ReceiveBuffer*, const std::string&, const link_status_t* message) {
-    links.push_back(*message);
-  }
-  void OnAlarm(const lcm::ReceiveBuffer*, const std::string&, const alarm_t* message) {
-    alarms.push_back(*message);
-  }
-
   ManualClock clock;
   InprocCanHub hub{"bench"};
   std::unique_ptr<CanBus> box_bus = hub.Connect(clock);
@@ -90,9 +97,10 @@ class BridgeNodeTest : public testing::Test {
   robot_state_t state{};
   dbc::RobotFeedback shown;
   std::vector<dbc::RobotMessage> received_roles;
-  std::vector<box_command_t> commands;
-  std::vector<link_status_t> links;
-  std::vector<alarm_t> alarms;
+  Inbox inbox;
+  std::vector<box_command_t>& commands = inbox.commands;
+  std::vector<link_status_t>& links = inbox.links;
+  std::vector<alarm_t>& alarms = inbox.alarms;
   int time_ms = 0;
 };
 
