@@ -34,8 +34,8 @@ void SimulateLive(const SimOptions& options, const StationOptions& station) {
          .draw_isectors = options.camera.draw_isectors});
   }
   SayReady(station.lcm.url.empty() ? "LCM" : station.lcm.url);
-  const uint64_t overruns = RunNode(node, nullptr, *lcm, clock);
-  fmt::print("{} steps, {} overruns, {} pictures\n", node.simulator().last().step, overruns,
+  RunNode(node, nullptr, *lcm, clock);
+  fmt::print("{} steps, {} overruns, {} pictures\n", node.simulator().last().step, node.overruns(),
              cameras ? cameras->pictures() : 0);
 }
 

@@ -134,6 +134,18 @@ void SimNode::OnCommand(const lcm::ReceiveBuffer* /*buffer*/, const std::string&
 }
 
 void SimNode::OnTick(TimePoint scheduled) {
+  const Duration period = tick_period();
+  const bool is_first = stepped_ == TimePoint{};
+  if (!is_first) state_message_.overruns += (scheduled - last_tick_) / period - 1;
+  last_tick_ = scheduled;
+  if (is_first || scheduled - stepped_ > kLongestDebt) stepped_ = scheduled - period;
+  for (int steps = 0; steps < 2 && stepped_ < scheduled; ++steps) {
+    stepped_ += period;
+    Step(stepped_);
+  }
+}
+
+void SimNode::Step(TimePoint scheduled) {
   const StepResult& result = simulator_.Step(scheduled, command_);
   Fill(simulator_, state_message_);
   lcm_.publish(state_channel_, &state_message_);

@@ -47,15 +47,22 @@ class SimNode {
   void SetSceneOutput(SceneOutput output) { scene_output_ = std::move(output); }
 
   void OnCan() {}  ///< has no bus
-  /// One step. `scheduled` is the moment that it stands for, and the utime of all it publishes.
+  /// The step that is due at `scheduled`, which is the utime of all it publishes. Behind a pause,
+  /// one missed step a tick is made up for, so that distances stay true to the clock and nothing
+  /// bursts; beyond `kLongestDebt` the missed steps are left out.
   void OnTick(TimePoint scheduled);
   Duration tick_period() const { return config_.simulator.period; }
 
   const Simulator& simulator() const { return simulator_; }
+  /// Steps that were not done in their own period, but later or never.
+  int64_t overruns() const { return state_message_.overruns; }
+
+  static constexpr Duration kLongestDebt = std::chrono::milliseconds(200);
 
  private:
   void OnCommand(const lcm::ReceiveBuffer* buffer, const std::string& channel,
                  const box_command_t* message);
+  void Step(TimePoint scheduled);
   void PublishAlarms(const StepResult& result);
   void PublishAlarm(TimePoint time);
   void PublishMission(const StepResult& result);
@@ -70,6 +77,8 @@ class SimNode {
   OperatorCommand command_;
   SceneOutput scene_output_;
   SceneSnapshot snapshot_;
+  TimePoint stepped_{};  ///< moment of the last step
+  TimePoint last_tick_{};
   TimePoint scene_due_{};
   TimePoint alarms_due_{};
   TimePoint mission_due_{};

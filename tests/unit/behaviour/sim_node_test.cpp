@@ -73,6 +73,34 @@ class SimNodeTest : public ::testing::Test {
   box_command_t command_{};
 };
 
+TEST_F(SimNodeTest, MissedStepsAreMadeUpForOneATickSoThatTimeStaysTrue) {
+  Inbox<robot_state_t> states(lcm_, Name(kRobotStateChannel));
+  Tick(2);
+  clock_.Advance(milliseconds(12));  // three ticks that never came
+  Tick(1);
+  ASSERT_EQ(states.messages.size(), 4u);  // two, then two at once
+  EXPECT_EQ(states.messages.back().overruns, 3);
+  Tick(2);
+  ASSERT_EQ(states.messages.size(), 8u);
+  Tick(1);
+  ASSERT_EQ(states.messages.size(), 9u);  // the debt is paid: 2 + 3 + 1 + 3 periods passed
+  EXPECT_EQ(states.messages.back().utime, ToUtime(clock_.Now()));
+  for (size_t i = 1; i < states.messages.size(); ++i) {
+    EXPECT_EQ(states.messages[i].utime - states.messages[i - 1].utime, 4000);
+    EXPECT_EQ(states.messages[i].step - states.messages[i - 1].step, 1);
+  }
+}
+
+TEST_F(SimNodeTest, ALongPauseIsLeftOutAndCounted) {
+  Inbox<robot_state_t> states(lcm_, Name(kRobotStateChannel));
+  Tick(1);
+  clock_.Advance(milliseconds(400));  // a hundred ticks that never came
+  Tick(2);
+  ASSERT_EQ(states.messages.size(), 3u);
+  EXPECT_EQ(states.messages.back().overruns, 100);
+  EXPECT_EQ(states.messages.back().utime, ToUtime(clock_.Now()));
+}
+
 TEST_F(SimNodeTest, StatePublishedEveryStepCarriesTheScheduledTimeAndWorldPose) {
   Inbox<robot_state_t> states(lcm_, Name(kRobotStateChannel));
   Command({kDriveForward}, 10);
