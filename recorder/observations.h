@@ -14,6 +14,7 @@ namespace eod::recorder {
 struct RobotStateSeen {
   TimePoint time{};  ///< scheduled time of the step
   int64_t step = 0;
+  int64_t overruns = 0;  ///< steps that were not done in their own period so far
   int module = 0;
   std::array<double, 3> position_m{};
   std::array<double, 3> attitude_deg{};  ///< heading, pitch, roll

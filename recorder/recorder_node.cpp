@@ -44,6 +44,7 @@ RobotStateSeen Seen(const robot_state_t& message) {
   RobotStateSeen state;
   state.time = FromUtime(message.utime);
   state.step = message.step;
+  state.overruns = message.overruns;
   state.module = message.module;
   std::ranges::copy(message.position_m, state.position_m.begin());
   state.attitude_deg = {message.heading_deg, message.pitch_deg, message.roll_deg};

@@ -26,7 +26,7 @@ void RunObserver::OnAlarmFrame(TimePoint stamp, const LampPatterns& lamps) {
 
 void RunObserver::OnRobotState(TimePoint received, const RobotStateSeen& state) {
   if (!start_) start_ = state.time;
-  steps_.Add(state.time, state.step);
+  steps_.Add(state.time, state.step, state.overruns);
   latency_.OnRobotState(received, state);
   state_ = state;
 }

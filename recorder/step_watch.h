@@ -1,48 +1,36 @@
 #pragma once
 
-#include <compare>
 #include <cstdint>
-#include <map>
 
 #include "platform/time.h"
 
 namespace eod::recorder {
 
-/// Finds the simulation's period and its overruns in the robot states.
+/// Follows the simulator's steps by the robot states.
 ///
-/// A state carries the scheduled time of its step, a multiple of the period. A step that the
-/// simulator missed leaves a hole in these times, yet not in the step numbers, because the
-/// simulator does not catch up; a state that was lost on the way leaves both. So overruns are the
-/// periods that passed beyond the steps that were counted, and lost messages do not look like
-/// overruns.
+/// A state carries the scheduled time of its step, its number, and how many steps were not done in
+/// their own period so far; the simulator counts those itself, since from outside a step that came
+/// late looks like a message that did.
 class StepWatch {
  public:
-  void Add(TimePoint time, int64_t step);
+  void Add(TimePoint time, int64_t step, int64_t overruns);
 
-  /// Mean time of a step, overruns left out; zero until two states were seen.
+  /// Mean time of a step where none was left out; zero until two such states were seen.
   Duration period() const;
-  int64_t overruns() const;
+  /// Overruns while this watched; a simulator that was started again counts anew.
+  int64_t overruns() const { return overruns_; }
   /// Simulated time: steps times period.
-  Duration simulated() const;
+  Duration simulated() const { return period() * steps_; }
 
  private:
-  /// From one state to the next: scheduled time and step numbers that passed.
-  struct Gap {
-    Duration elapsed{};
-    int64_t steps = 0;
-    auto operator<=>(const Gap&) const = default;
-  };
-  struct Total {
-    Duration elapsed{};
-    int64_t steps = 0;
-    int64_t overruns = 0;
-  };
-  Total Sum() const;
-
-  std::map<Gap, int64_t> gaps_;  ///< how often; few differ, since times are multiples of the period
-  int64_t last_step_ = 0;
-  TimePoint last_time_{};
   bool any_ = false;
+  TimePoint last_time_{};
+  int64_t last_step_ = 0;
+  int64_t last_overruns_ = 0;
+  int64_t steps_ = 0;
+  int64_t overruns_ = 0;
+  Duration undisturbed_{};         ///< time between states without an overrun in between ...
+  int64_t undisturbed_steps_ = 0;  ///< ... and their steps
 };
 
 }  // namespace eod::recorder
