@@ -12,7 +12,7 @@ Eigen::Matrix3d ToRotation(const Attitude& attitude) {
   const double sr = std::sin(attitude.roll), cr = std::cos(attitude.roll);
   Eigen::Matrix3d R_WB;  // Rz(heading) Rx(pitch) Ry(roll), multiplied out
   R_WB << ch * cr - sh * sp * sr, -sh * cp, ch * sr + sh * sp * cr,  //
-      sh * cr + ch * sp * sr, ch * cp, sh * sr - ch * sp * cr,    //
+      sh * cr + ch * sp * sr, ch * cp, sh * sr - ch * sp * cr,       //
       -cp * sr, sp, cp * cr;
   return R_WB;
 }

@@ -29,16 +29,18 @@ struct JointSpec {
 /// A rigid part. Links stand in an order in which parents come first; link 0 is the chassis.
 struct LinkSpec {
   enum class Kind : uint8_t { kFixed, kRevolute, kPrismatic };
+  enum class Hand : uint8_t { kNone, kLeft, kRight };
   std::string name;
-  int parent = -1;
   Eigen::Isometry3d X_PL = Eigen::Isometry3d::Identity();  ///< in the parent, at coordinate 0
-  Kind kind = Kind::kFixed;
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< in the link's frame
-  int joint = -1;                                   ///< JointId that moves it; -1 for fixed links
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();         ///< in the link's frame
   /// Coordinate of the link = scale * coordinate of the joint; 2/3 for the crossbeam, which slides
-  /// back (Eq. 6). The hands use their own opening, not the joint's (each stops on its own).
+  /// back (Eq. 6).
   double scale = 1;
-  enum class Hand : uint8_t { kNone, kLeft, kRight } hand = Hand::kNone;
+  int parent = -1;
+  int joint = -1;  ///< JointId that moves it; -1 for fixed links
+  Kind kind = Kind::kFixed;
+  /// The hands use their own opening, not the joint's (each stops on its own).
+  Hand hand = Hand::kNone;
 };
 
 enum class IsectorMethod : uint8_t { kVolume, kHat, kZ, kZpr, kXyzpr, kLos, kTripod, kBump };
