@@ -29,6 +29,11 @@ box::BoxNode& LockStepRig::AddBox(const box::BoxNodeConfig& config) {
   return *box_;
 }
 
+void LockStepRig::UnplugBox() {
+  box_.reset();
+  box_bus_.reset();
+}
+
 void LockStepRig::Tick() {
   clock_.Advance(kTick);
   if (box_) {

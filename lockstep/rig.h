@@ -37,6 +37,9 @@ class LockStepRig {
   /// Puts an emulated box on the bus.
   box::BoxNode& AddBox(const box::BoxNodeConfig& config);
 
+  /// Pulls the box's cable: it is gone, in the middle of whatever it did.
+  void UnplugBox();
+
   /// Puts one more node on the bus: a recorder, a stranger, a log to be replayed.
   std::unique_ptr<CanBus> Connect() { return hub_.Connect(clock_); }
 

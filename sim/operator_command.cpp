@@ -6,7 +6,7 @@ namespace eod::sim {
 
 Wish WishOf(const OperatorCommand& command, TimePoint now, Duration timeout) {
   Wish wish;
-  if (!command.motion_permitted) return wish;
+  if (!command.motion_permitted && !command.safe_stop) return wish;
 
   MotionSet asked = 0;
   for (int motion = 0; motion < kMotionCount; ++motion) {

@@ -27,6 +27,7 @@ struct OperatorCommand {
   int32_t sequence = 0;
   TimePoint stamp{};  ///< when it was received
   bool motion_permitted = false;
+  bool safe_stop = false;  ///< not permitted any more, but the bridge ramps the rates to zero
   std::array<double, kMotionCount> motion_rate{};  ///< 0..1
   MotionSet inhibited = 0;                         ///< refused by the bridge already
   int inhibit_reason = 0;                          ///< box_command_t REASON_*
@@ -42,8 +43,9 @@ struct Wish {
   int reason = kReasonNone;
 };
 
-/// Any doubt means zero motion: not permitted, `timeout` old or older, an unknown speed range.
-/// Opposite motions together are both refused; a rate is clamped to 0..1, and NaN is 0.
+/// Any doubt means zero motion: neither permitted nor in a safe stop's ramp, `timeout` old or
+/// older, an unknown speed range. Opposite motions together are both refused; a rate is clamped to
+/// 0..1, and NaN is 0.
 Wish WishOf(const OperatorCommand& command, TimePoint now, Duration timeout);
 
 }  // namespace eod::sim

@@ -25,6 +25,7 @@ OperatorCommand FromMessage(const box_command_t& message, TimePoint received) {
   command.sequence = message.sequence;
   command.stamp = received;
   command.motion_permitted = message.motion_permitted != 0;
+  command.safe_stop = message.system_state == box_command_t::STATE_SAFE_STOP;
   std::copy_n(message.motion_rate, kMotionCount, command.motion_rate.begin());
   command.inhibited = static_cast<MotionSet>(message.inhibit_mask);
   command.inhibit_reason = message.inhibit_reason;

@@ -91,13 +91,21 @@ TEST(FirstDrive, WallStopsTheRobotAndTheLampFollowsWithinAStepAndTwoMilliseconds
   EXPECT_EQ(last.state.position.y(), y_at_contact);
 }
 
-TEST(FirstDrive, SilenceOfTheBoxStopsTheRobotWithinThreeTenthsOfASecond) {
+TEST(FirstDrive, PulledCableRampsTheRobotToAStandWithinThreeTenthsOfASecond) {
   Mission dut(kData / "firmware_emu/scripts/drive_one_metre.boxscript");
-  ASSERT_TRUE(dut.rig().RunUntil([&] { return dut.rig().simulator().last().speed > 0.05; }, 30s));
-  dut.rig().hub().SetState(CanBusState::kDown);
-  // Rule 2: after 100 ms without a frame the motion is ramped to zero within 200 ms.
-  dut.rig().RunFor(300ms + 4ms + 20ms);
-  EXPECT_EQ(dut.rig().simulator().last().speed, 0.0);
+  const auto speed = [&dut] { return dut.rig().simulator().last().speed; };
+  ASSERT_TRUE(dut.rig().RunUntil([&] { return speed() > 0.05; }, 30s));
+  const double full = speed();
+  dut.rig().UnplugBox();
+  // Rule 2: the motion goes on for 100 ms after the last frame (which is up to 20 ms old), and is
+  // then ramped to zero within 200 ms.
+  dut.rig().RunFor(100ms - 20ms - 4ms);
+  EXPECT_EQ(speed(), full);
+  dut.rig().RunFor(20ms + 4ms + 100ms);
+  EXPECT_GT(speed(), 0.3 * full);
+  EXPECT_LT(speed(), 0.7 * full);
+  dut.rig().RunFor(100ms + 20ms + 4ms);
+  EXPECT_EQ(speed(), 0.0);
 }
 
 TEST(FirstDrive, AnotherMakersBoxIsTwoFilesAndNoRebuild) {
