@@ -1,13 +1,16 @@
 #include "platform/lcm_station.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <cstdlib>
+#include <cstring>
 #include <optional>
 #include <stdexcept>
 
 #include <fmt/format.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include "platform/file_descriptor.h"
 #include "platform/multicast.h"
@@ -69,6 +72,16 @@ void RequireUdpGroup(const std::string& url) {
   RequireMulticastRoute(url, *group);
 }
 
+/// LCM would report a log that it cannot read in words of its own, before us.
+void RequireReadableLog(const std::string& url) {
+  constexpr std::string_view kFileScheme = "file://";
+  if (!url.starts_with(kFileScheme) || url.find("mode=w") != std::string::npos) return;
+  const std::string file = url.substr(kFileScheme.size(), url.find('?') - kFileScheme.size());
+  if (::access(file.c_str(), R_OK) != 0) {
+    throw std::runtime_error(fmt::format("{}: {}: {}", url, file, std::strerror(errno)));
+  }
+}
+
 }  // namespace
 
 bool IsChannelPrefix(std::string_view prefix) {
@@ -92,6 +105,7 @@ std::unique_ptr<lcm::LCM> OpenLcm(const LcmStation& station) {
                     "file://LOG?mode=r",
                     url));
   }
+  RequireReadableLog(url);
   if (url.starts_with(kUdpScheme)) {
     RequireUdpGroup(url);
     url = WithReceiveBuffer(url);
