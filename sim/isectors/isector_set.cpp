@@ -90,7 +90,7 @@ void IsectorSet::FixGround(std::span<const Eigen::Isometry3d> X_ML) {
     const double foot = -(up.x() * d.x() + up.y() * d.y()) / up.z();
     offsets += d.z() - foot;
   }
-  if (ground_.legs == 0) return;
+  if (tripod == nullptr || ground_.legs == 0) return;
   const Eigen::Isometry3d X_MI = X_ML[static_cast<size_t>(tripod->link)] * tripod->X_LI;
   ground_.mean_offset = offsets / ground_.legs;
   ground_.height = X_MI.translation().z() + ground_.mean_offset;
