@@ -21,6 +21,7 @@ class PictureSchedule {
 
  private:
   Duration period_;
+  Duration tolerance_;                         ///< a snapshot that comes so much early will do
   std::vector<std::optional<TimePoint>> due_;  ///< empty: never drawn
 };
 

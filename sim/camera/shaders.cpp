@@ -75,7 +75,7 @@ void main() {
   float facing = max(dot(v_normal, halfway), 0.0);
   float facing2 = facing * facing / (dot(halfway, halfway) * dot(v_normal, v_normal));
   float facing8 = facing2 * facing2 * facing2 * facing2;
-  float shine = v_material.a * facing8 * facing8 * facing8 * 1.6;
+  float shine = v_material.a * facing8 * facing8 * facing8;
 #endif
   float sun = v_light.a * texture(u_shadow, v_shadow);
   vec3 light = v_light.rgb + u_sun_light * sun;

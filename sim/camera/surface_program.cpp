@@ -10,7 +10,7 @@ namespace {
 using Eigen::Matrix4f;
 using Eigen::Vector3f;
 
-constexpr float kSunStrength = 1.55F;
+constexpr float kSunStrength = 1.45F;
 constexpr float kSkyStrength = 0.62F;
 
 void UploadBones(const GlFunctions& gl, GLint location, const BonePalette& palette) {
