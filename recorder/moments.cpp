@@ -7,7 +7,7 @@ namespace eod::recorder {
 namespace {
 
 constexpr double kSameMoment_s = 1.0;
-constexpr double kApproach_s = 2.5;
+constexpr double kApproach_s = 5.0;
 constexpr double kNearAnEnd_s = 8.0;
 constexpr double kRecentPeriod_s = 0.25;
 constexpr double kCompanion_s = 0.2;  // pictures of two cameras this close show the same moment
@@ -56,7 +56,10 @@ void Moments::MarkWithApproach(double t, std::string approach_label, std::string
   const auto before = std::find_if(recent_.rbegin(), recent_.rend(), [t](const Moment& moment) {
     return moment.t <= t - kApproach_s;
   });
-  if (before != recent_.rend() && Gap(marks_, before->t) >= kSameMoment_s) {
+  // What lies before the last mark belongs to another story.
+  const bool is_own =
+      marks_.empty() || (before != recent_.rend() && before->t >= marks_.back().t + kSameMoment_s);
+  if (before != recent_.rend() && is_own) {
     Moment approach = *before;
     approach.label = std::move(approach_label);
     marks_.push_back(std::move(approach));

@@ -32,7 +32,8 @@ class Moments {
   /// Marks `t`: the next picture of each camera at or after it is kept. A mark within a second of
   /// an earlier one is the same moment and is dropped.
   void Mark(double t, std::string label);
-  /// Also keeps the picture of some seconds before `t`, when it was still ahead.
+  /// Also keeps the picture of five seconds before `t`, when it was still ahead, unless another
+  /// mark came since.
   void MarkWithApproach(double t, std::string approach_label, std::string label);
 
   void AddPicture(Camera camera, double t, const Jpeg& jpeg, const LampPatterns& lamps,

@@ -71,9 +71,19 @@ TEST(Moments, KeepWhatCameShortlyBeforeAnEvent) {
   Film(dut, 20, 30);
   const auto moments = dut.Select(4);
   ASSERT_THAT(Labels(moments), ElementsAre("First picture", "before", "contact", "End"));
-  // 2.5 s before; kept four times a second at most, so up to 0.3 s earlier.
-  EXPECT_LE(moments[1].t, 17.5);
-  EXPECT_GE(moments[1].t, 17.1);
+  // 5 s before; kept four times a second at most, so up to 0.3 s earlier.
+  EXPECT_LE(moments[1].t, 15.0);
+  EXPECT_GE(moments[1].t, 14.6);
+}
+
+TEST(Moments, DoNotTakeTheTimeBeforeAnEarlierMarkForAnApproach) {
+  Moments dut;
+  Film(dut, 0, 17);
+  dut.Mark(17, "contact");
+  Film(dut, 17, 20);
+  dut.MarkWithApproach(20, "backing off", "free");
+  Film(dut, 20, 21);
+  EXPECT_THAT(Labels(dut.Select(3)), ElementsAre("First picture", "contact", "free"));
 }
 
 TEST(Moments, TakeMarksWithinASecondForOne) {

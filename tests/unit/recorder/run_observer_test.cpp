@@ -114,16 +114,16 @@ TEST_F(RunObserverTest, AMissionThatStartsAgainHasNoOutcomeYet) {
 TEST_F(RunObserverTest, TellsTheStoryInMoments) {
   RunUntil(5);
   Mission(MissionState::kRun, 0);
-  RunUntil(10);
-  dut_.OnAlarm({At(10), 0x10, true, 1});
+  RunUntil(15);
+  dut_.OnAlarm({At(15), 0x10, true, 1});
   Mission(MissionState::kRun, 1);
-  RunUntil(14);
-  dut_.OnAlarm({At(14), 0x10, false, 1});
-  RunUntil(20);
+  RunUntil(19);
+  dut_.OnAlarm({At(19), 0x10, false, 1});
+  RunUntil(25);
   Mission(MissionState::kSuccess, 2);
-  RunUntil(23);
-  dut_.OnAlarm({At(23), 0x80, true, 0});
-  RunUntil(26);
+  RunUntil(28);
+  dut_.OnAlarm({At(28), 0x80, true, 0});
+  RunUntil(30);
   std::vector<std::string> labels;
   for (const Moment& moment : dut_.TellingMoments(6)) labels.push_back(moment.label);
   EXPECT_THAT(labels,
