@@ -16,7 +16,7 @@ double ToDegrees(double radians) { return radians * (180 / std::numbers::pi); }
 
 /// Writes a point of the module's frame as a point of the world's.
 void PutPoint(const ModuleModel& module, const Eigen::Vector3d& p_M, double* metres) {
-  Eigen::Map<Eigen::Vector3d>{metres} = module.origin_W + p_M;
+  Eigen::Map<Eigen::Vector3d>{metres} = module.p_WM + p_M;
 }
 
 /// The command in a message that was received at `received`.

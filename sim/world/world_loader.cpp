@@ -38,7 +38,7 @@ FramedModule ReadModule(const CustomElement& element, const SdfWorld& sdf) {
   module.id = element.Integer("id", 1, kModules);
   module.name = element.Text("name");
   module.class_bit = 1u << (module.id - 1);
-  module.origin_W = frame->X_WF.translation();
+  module.p_WM = frame->X_WF.translation();
   module.half_size = {element.Number("size_x_m", 1, 3000) / 2,
                       element.Number("size_y_m", 1, 3000) / 2};
   if (element.Has("start_heading_deg")) {

@@ -36,7 +36,7 @@ struct ModuleModel {
   int id = 0;  ///< 1 flat .. 5 indoor, as ROB_STATUS.ModuleId
   std::string name;
   uint32_t class_bit = 0;
-  Eigen::Vector3d origin_W = Eigen::Vector3d::Zero();  ///< local origin in W [m]
+  Eigen::Vector3d p_WM = Eigen::Vector3d::Zero();  ///< local origin in W [m]
   Eigen::Vector2d half_size =
       Eigen::Vector2d::Zero();  ///< [m] the area reaches this far from the origin
   Attitude start_attitude;      ///< at the local origin

@@ -110,8 +110,8 @@ TEST_F(SimNodeTest, StatePublishedEveryStepCarriesTheScheduledTimeAndWorldPose) 
   EXPECT_EQ(state.step, 10);
   EXPECT_EQ(state.module, 1);
   // Start pad of module flat in W, and ten steps of 1.2 mm to the north.
-  EXPECT_NEAR(state.position_m[0], TheWorld().Module(1).origin_W.x(), 1e-9);
-  EXPECT_NEAR(state.position_m[1], TheWorld().Module(1).origin_W.y() + 0.012, 1e-9);
+  EXPECT_NEAR(state.position_m[0], TheWorld().Module(1).p_WM.x(), 1e-9);
+  EXPECT_NEAR(state.position_m[1], TheWorld().Module(1).p_WM.y() + 0.012, 1e-9);
   EXPECT_NEAR(state.joint[kFrontFlipper], 90, 1e-9);
   EXPECT_NEAR(state.speed_mps, 0.30, 1e-12);
   EXPECT_EQ(state.command_sequence, 10);
@@ -198,7 +198,7 @@ TEST_F(IsectorNodeTest, HitsAreInTheWorldFrame) {
   EXPECT_TRUE(message.hit[i]);
   EXPECT_EQ(message.object[i], "wall");
   EXPECT_NEAR(message.range_m[i], 4.0 - 0.475, 1e-3);
-  EXPECT_NEAR(message.start_m[i][1], TheWorld().Module(1).origin_W.y() + 0.475, 1e-9);
+  EXPECT_NEAR(message.start_m[i][1], TheWorld().Module(1).p_WM.y() + 0.475, 1e-9);
 }
 
 TEST(PictureNode, PublishesJpegOnTheCamerasChannel) {

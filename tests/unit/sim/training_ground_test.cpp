@@ -40,7 +40,7 @@ class TrainingGround : public ::testing::Test {
 TEST_F(TrainingGround, FlatModuleLiesWhereTheMapSays) {
   EXPECT_EQ(flat_.name, "flat");
   EXPECT_EQ(flat_.class_bit, kModuleFlat);
-  EXPECT_EQ(flat_.origin_W, Vector3d(-1000, 1000, 0));
+  EXPECT_EQ(flat_.p_WM, Vector3d(-1000, 1000, 0));
   EXPECT_EQ(flat_.half_size, Eigen::Vector2d(50, 50));
   EXPECT_EQ(flat_.start_attitude, Attitude{});
 }
