@@ -52,9 +52,10 @@ packages_in() {
 # missing_packages SECTION...: those that dpkg does not have as installed.
 missing_packages() {
   local installed
+  # dpkg-query fails for a package that it never heard of, as on a fresh system.
   # shellcheck disable=SC2046,SC2016
-  installed=$(dpkg-query -W -f '${Package} ${db:Status-Status}\n' $(packages_in "$@") 2>/dev/null |
-    awk '$2 == "installed" { print $1 }')
+  installed=$({ dpkg-query -W -f '${Package} ${db:Status-Status}\n' $(packages_in "$@") \
+    2>/dev/null || true; } | awk '$2 == "installed" { print $1 }')
   grep -vxF -f <(printf '%s\n' "$installed") <(packages_in "$@") || true
 }
 
