@@ -4,7 +4,7 @@
 
 #include "firmware_emu/box_node.h"
 #include "firmware_emu/key_parser.h"
-#include "firmware_emu/terminal.h"
+#include "platform/terminal.h"
 
 namespace eod::box {
 

@@ -212,7 +212,7 @@ TEST(Fault, ButtonHeldAtPowerUpIsAFaultUntilLetGo) {
   rig.Run(milliseconds(20));
   EXPECT_EQ(rig.dut.status().state, BoxState::kStandby);
   const auto emergencies = rig.SentWithId(kEmergencyId);
-  ASSERT_EQ(emergencies.size(), 2u);  // came, went
+  ASSERT_EQ(emergencies.size(), 2u);        // came, went
   EXPECT_EQ(emergencies[0].data[0], 0x01);  // 0xFF01, low byte first: maker's own code, fault 1
   EXPECT_EQ(emergencies[0].data[1], 0xFF);
   EXPECT_EQ(emergencies[0].data[2], 0x81);  // register: generic, maker's own

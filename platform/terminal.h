@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-namespace eod::box {
+namespace eod {
 
 /// The user's terminal in raw mode, on its second screen with the cursor hidden, until destruction.
 /// A crash restores it too. Ctrl-C still raises SIGINT; Ctrl-Z and Ctrl-\ are off.
@@ -21,4 +21,4 @@ class Terminal {
   void Write(std::string_view text);
 };
 
-}  // namespace eod::box
+}  // namespace eod

@@ -1,4 +1,4 @@
-#include "firmware_emu/terminal.h"
+#include "platform/terminal.h"
 
 #include <array>
 #include <csignal>
@@ -8,7 +8,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-namespace eod::box {
+namespace eod {
 namespace {
 
 constexpr std::string_view kEnter = "\x1b[?1049h\x1b[?25l\x1b[2J";
@@ -78,4 +78,4 @@ void Terminal::Write(std::string_view text) {
   if (::poll(&output, 1, 0) == 1) WriteAll(text);
 }
 
-}  // namespace eod::box
+}  // namespace eod
