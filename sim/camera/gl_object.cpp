@@ -100,4 +100,8 @@ GlObject MakeProgram(const GlFunctions& gl, std::string_view name, std::string_v
   return program;
 }
 
+const void* BufferOffset(size_t bytes) {
+  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): the API's way
+}
+
 }  // namespace eod::sim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -38,5 +39,8 @@ GlObject MakeRenderbuffer(const GlFunctions& gl);
 /// std::runtime_error with the compiler's first line.
 GlObject MakeProgram(const GlFunctions& gl, std::string_view name, std::string_view vertex,
                      std::string_view fragment, std::string_view defines = "");
+
+/// Place within a buffer, as OpenGL wants it: `bytes` dressed up as a pointer.
+const void* BufferOffset(size_t bytes);
 
 }  // namespace eod::sim

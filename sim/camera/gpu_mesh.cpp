@@ -3,12 +3,6 @@
 #include <cstddef>
 
 namespace eod::sim {
-namespace {
-
-const void* Offset(size_t bytes) { return reinterpret_cast<const void*>(bytes); }
-
-}  // namespace
-
 GpuMesh::GpuMesh(const GlFunctions& gl, const SurfaceMesh& mesh)
     : gl_(&gl), array_(MakeVertexArray(gl)), vertices_(MakeBuffer(gl)), indices_(MakeBuffer(gl)) {
   constexpr GLsizei kStride = sizeof(Vertex);
@@ -20,12 +14,13 @@ GpuMesh::GpuMesh(const GlFunctions& gl, const SurfaceMesh& mesh)
   gl.BufferData(GL_ELEMENT_ARRAY_BUFFER,
                 static_cast<GLsizeiptr>(mesh.indices.size() * sizeof(uint32_t)),
                 mesh.indices.data(), GL_STATIC_DRAW);
-  gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride, Offset(offsetof(Vertex, position)));
-  gl.VertexAttribPointer(1, 3, GL_SHORT, GL_TRUE, kStride, Offset(offsetof(Vertex, normal)));
-  gl.VertexAttribIPointer(2, 1, GL_UNSIGNED_SHORT, kStride, Offset(offsetof(Vertex, bone)));
-  gl.VertexAttribPointer(3, 2, GL_FLOAT, GL_FALSE, kStride, Offset(offsetof(Vertex, uv)));
+  gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride,
+                         BufferOffset(offsetof(Vertex, position)));
+  gl.VertexAttribPointer(1, 3, GL_SHORT, GL_TRUE, kStride, BufferOffset(offsetof(Vertex, normal)));
+  gl.VertexAttribIPointer(2, 1, GL_UNSIGNED_SHORT, kStride, BufferOffset(offsetof(Vertex, bone)));
+  gl.VertexAttribPointer(3, 2, GL_FLOAT, GL_FALSE, kStride, BufferOffset(offsetof(Vertex, uv)));
   gl.VertexAttribPointer(4, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride,
-                         Offset(offsetof(Vertex, diffuse)));
+                         BufferOffset(offsetof(Vertex, diffuse)));
   for (GLuint attribute = 0; attribute < 5; ++attribute) gl.EnableVertexAttribArray(attribute);
 }
 
@@ -37,9 +32,9 @@ ColourTriangles::ColourTriangles(const GlFunctions& gl)
   gl.BindVertexArray(array_.id());
   gl.BindBuffer(GL_ARRAY_BUFFER, vertices_.id());
   gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kStride,
-                         Offset(offsetof(ColourVertex, position)));
+                         BufferOffset(offsetof(ColourVertex, position)));
   gl.VertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride,
-                         Offset(offsetof(ColourVertex, colour)));
+                         BufferOffset(offsetof(ColourVertex, colour)));
   gl.EnableVertexAttribArray(0);
   gl.EnableVertexAttribArray(1);
 }

@@ -20,17 +20,17 @@ class Ribbons {
   Ribbons(const View& view, int width, int height, std::vector<ColourVertex>& triangles)
       : view_(view), half_size_(width / 2.0, height / 2.0), triangles_(triangles) {}
 
-  void Line(const Vector3d& from_M, const Vector3d& to_M, const uint8_t* colour) {
-    Vector4d from = view_.clip_M * from_M.homogeneous();
-    Vector4d to = view_.clip_M * to_M.homogeneous();
+  void Line(const Vector3d& p_MA, const Vector3d& p_MB, const uint8_t* colour) {
+    Vector4d from = view_.clip * p_MA.homogeneous();
+    Vector4d to = view_.clip * p_MB.homogeneous();
     if (from.w() < kNearest && to.w() < kNearest) return;
     if (from.w() > to.w()) std::swap(from, to);
     if (from.w() < kNearest) from += (to - from) * ((kNearest - from.w()) / (to.w() - from.w()));
     PixelLine(ToPixels(from), ToPixels(to), colour);
   }
 
-  void Cross(const Vector3d& point_M, const uint8_t* colour) {
-    const Vector4d point = view_.clip_M * point_M.homogeneous();
+  void Cross(const Vector3d& p_MH, const uint8_t* colour) {
+    const Vector4d point = view_.clip * p_MH.homogeneous();
     if (point.w() < kNearest) return;
     const Vector2d centre = ToPixels(point);
     for (const double sign : {-1.0, 1.0}) {

@@ -182,7 +182,7 @@ DrawCounters SceneRenderer::Draw(const CameraSpec& camera, const RenderTarget& t
 void SceneRenderer::DrawWorld(const View& view, bool ground) {
   if (module_ == nullptr) return;
   const Frustum frustum(view);
-  const Eigen::Vector3f eye = view.eye_M.cast<float>();
+  const Eigen::Vector3f eye = view.p_ME.cast<float>();
   module_->mesh.Bind();
   for (const DrawRange& range : module_->list.ranges) {
     if ((range.texture == kGrass) != ground || !frustum.MaySee(range.bounds)) continue;
@@ -194,7 +194,7 @@ void SceneRenderer::DrawWorld(const View& view, bool ground) {
 
 void SceneRenderer::DrawSurroundings(const View& view) {
   BonePalette here(3);
-  SetBone(Eigen::Isometry3d(Eigen::Translation3d(view.eye_M.x(), view.eye_M.y(), 0)), 0, here);
+  SetBone(Eigen::Isometry3d(Eigen::Translation3d(view.p_ME.x(), view.p_ME.y(), 0)), 0, here);
   ground_.SetBones(here);
   // Behind all of the module, so that its ground hides the meadow beneath, and before the sky.
   gl_.DepthRange(kModuleDepth, kMeadowDepth);
@@ -222,7 +222,7 @@ void SceneRenderer::DrawIsectors(const View& view, const RenderTarget& target) {
 void SceneRenderer::DrawRun(const IndexRun& run) {
   if (run.count == 0) return;
   gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(run.count), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(run.first * sizeof(uint32_t)));
+                   BufferOffset(run.first * sizeof(uint32_t)));
   ++counters_.draw_calls;
   counters_.triangles += static_cast<int>(run.count / 3);
 }

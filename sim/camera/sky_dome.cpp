@@ -56,8 +56,8 @@ SkyDome::SkyDome(const GlFunctions& gl, const Atmosphere& atmosphere)
 
 int SkyDome::Draw(const View& view) const {
   // The dome is centred on the eye: directions only.
-  Eigen::Matrix4d directions = view.clip_M;
-  directions.col(3) += view.clip_M.leftCols<3>() * view.eye_M;
+  Eigen::Matrix4d directions = view.clip;
+  directions.col(3) += view.clip.leftCols<3>() * view.p_ME;
   const Eigen::Matrix4f clip = directions.cast<float>();
   gl_->UseProgram(program_.id());
   gl_->UniformMatrix4fv(view_projection_, 1, GL_FALSE, clip.data());

@@ -58,9 +58,9 @@ void SurfaceProgram::Use(const View& camera, const View& sun) const {
   Eigen::Matrix4d texture_clip = Eigen::Matrix4d::Identity() * 0.5;
   texture_clip.topRightCorner<3, 1>().setConstant(0.5);
   texture_clip(3, 3) = 1;
-  const Matrix4f clip = camera.clip_M.cast<float>();
-  const Matrix4f shadow = (texture_clip * sun.clip_M).cast<float>();
-  const Vector3f eye = camera.eye_M.cast<float>();
+  const Matrix4f clip = camera.clip.cast<float>();
+  const Matrix4f shadow = (texture_clip * sun.clip).cast<float>();
+  const Vector3f eye = camera.p_ME.cast<float>();
   gl_->UseProgram(program_.id());
   gl_->UniformMatrix4fv(view_projection_, 1, GL_FALSE, clip.data());
   gl_->UniformMatrix4fv(shadow_matrix_, 1, GL_FALSE, shadow.data());
@@ -78,7 +78,7 @@ ShadowProgram::ShadowProgram(const GlFunctions& gl)
       view_projection_(gl.GetUniformLocation(program_.id(), "u_view_projection")) {}
 
 void ShadowProgram::Use(const View& sun, const BonePalette& palette) const {
-  const Matrix4f clip = sun.clip_M.cast<float>();
+  const Matrix4f clip = sun.clip.cast<float>();
   gl_->UseProgram(program_.id());
   gl_->UniformMatrix4fv(view_projection_, 1, GL_FALSE, clip.data());
   UploadBones(*gl_, bones_, palette);

@@ -25,7 +25,7 @@ View MakeCameraView(const Eigen::Isometry3d& X_MC, const Lens& lens) {
   return {ClipFromCamera(lens) * X_MC.inverse().matrix(), X_MC.translation()};
 }
 
-View MakeSunView(const Vector3d& to_sun, const Vector3d& centre_M, double half_side, int texels) {
+View MakeSunView(const Vector3d& to_sun, const Vector3d& p_MT, double half_side, int texels) {
   constexpr double kDepth = 60;  // [m] half of it towards the sun
   const Vector3d back = to_sun.normalized();
   const Vector3d side =
@@ -35,21 +35,21 @@ View MakeSunView(const Vector3d& to_sun, const Vector3d& centre_M, double half_s
   R_SM.row(1) = back.cross(side);
   R_SM.row(2) = back;
   const double texel = 2 * half_side / texels;
-  Vector3d centre_S = R_SM * centre_M;
+  Vector3d p_ST = R_SM * p_MT;
   for (int axis = 0; axis < 3; ++axis) {
-    centre_S[axis] = std::round(centre_S[axis] / texel) * texel;
+    p_ST[axis] = std::round(p_ST[axis] / texel) * texel;
   }
   const Vector3d scale(1 / half_side, 1 / half_side, -1 / kDepth);
   Matrix4d clip = Matrix4d::Identity();
   clip.topLeftCorner<3, 3>() = scale.asDiagonal() * R_SM;
-  clip.topRightCorner<3, 1>() = -scale.cwiseProduct(centre_S);
-  return {clip, centre_M + back * kDepth};
+  clip.topRightCorner<3, 1>() = -scale.cwiseProduct(p_ST);
+  return {clip, p_MT + back * kDepth};
 }
 
 Frustum::Frustum(const View& view) {
   for (int axis = 0; axis < 3; ++axis) {
-    const Eigen::RowVector4d w = view.clip_M.row(3);
-    const Eigen::RowVector4d along = view.clip_M.row(axis);
+    const Eigen::RowVector4d w = view.clip.row(3);
+    const Eigen::RowVector4d along = view.clip.row(axis);
     planes_[static_cast<size_t>(2 * axis)] = (w + along).transpose().cast<float>();
     planes_[static_cast<size_t>(2 * axis + 1)] = (w - along).transpose().cast<float>();
   }

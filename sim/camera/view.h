@@ -9,8 +9,8 @@ namespace eod::sim {
 
 /// What a camera or the sun sees: from the module's local frame M to clip space.
 struct View {
-  Eigen::Matrix4d clip_M = Eigen::Matrix4d::Identity();  ///< multiplies points of M
-  Eigen::Vector3d eye_M = Eigen::Vector3d::Zero();
+  Eigen::Matrix4d clip = Eigen::Matrix4d::Identity();  ///< multiplies points of M
+  Eigen::Vector3d p_ME = Eigen::Vector3d::Zero();      ///< the eye
 };
 
 /// Perspective of a camera that looks along +Y of C with Z up.
@@ -26,9 +26,10 @@ Eigen::Matrix4d ClipFromCamera(const Lens& lens);
 
 View MakeCameraView(const Eigen::Isometry3d& X_MC, const Lens& lens);
 
-/// Parallel light onto a square of `half_side` [m] around `centre_M`. The centre is moved to whole
-/// texels of a map of `texels` a side, so that shadow edges stay still while the robot drives.
-View MakeSunView(const Eigen::Vector3d& to_sun, const Eigen::Vector3d& centre_M, double half_side,
+/// Parallel light onto a square of `half_side` [m] around its target `p_MT`, which is moved to
+/// whole texels of a map of `texels` a side, so that shadow edges stay still while the robot
+/// drives.
+View MakeSunView(const Eigen::Vector3d& to_sun, const Eigen::Vector3d& p_MT, double half_side,
                  int texels);
 
 /// The six planes of a view, to leave out what cannot be seen.

@@ -103,7 +103,7 @@ TEST(SurfaceMesh, RoundShapesFaceOutwards) {
 TEST(View, CameraLooksAlongItsYAxisWithZUp) {
   const View view = MakeCameraView(Eigen::Isometry3d::Identity(), {.horizontal_fov = 1.5707963});
   const auto project = [&](const Vector3d& point) {
-    return Vector3d((view.clip_M * point.homogeneous()).hnormalized());
+    return Vector3d((view.clip * point.homogeneous()).hnormalized());
   };
   // 90 degrees wide: 1 m to the right at 1 m ahead lies on the right edge.
   EXPECT_NEAR(project({1, 1, 0}).x(), 1, 1e-6);
