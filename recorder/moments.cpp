@@ -6,11 +6,12 @@
 namespace eod::recorder {
 namespace {
 
-constexpr double kSameMoment_s = 1.0;
-constexpr double kApproach_s = 5.0;
-constexpr double kNearAnEnd_s = 8.0;
-constexpr double kRecentPeriod_s = 0.25;
-constexpr double kCompanion_s = 0.2;  // pictures of two cameras this close show the same moment
+constexpr double kSameMomentSeconds = 1.0;
+constexpr double kApproachSeconds = 5.0;
+constexpr double kNearAnEndSeconds = 8.0;
+constexpr double kRecentPeriodSeconds = 0.25;
+constexpr double kCompanionSeconds =
+    0.2;  // pictures of two cameras this close show the same moment
 constexpr size_t kMaxSamples = 64;
 
 // Distance in time from `t` to the nearest of `moments`.
@@ -44,7 +45,7 @@ void InsertByTime(std::vector<Moment>& moments, Moment moment) {
 
 void Moments::Mark(double t, std::string label) {
   for (const Moment& mark : marks_) {
-    if (std::abs(mark.t - t) < kSameMoment_s) return;
+    if (std::abs(mark.t - t) < kSameMomentSeconds) return;
   }
   Moment mark;
   mark.t = t;
@@ -54,11 +55,11 @@ void Moments::Mark(double t, std::string label) {
 
 void Moments::MarkWithApproach(double t, std::string approach_label, std::string label) {
   const auto before = std::find_if(recent_.rbegin(), recent_.rend(), [t](const Moment& moment) {
-    return moment.t <= t - kApproach_s;
+    return moment.t <= t - kApproachSeconds;
   });
   // What lies before the last mark belongs to another story.
-  const bool is_own =
-      marks_.empty() || (before != recent_.rend() && before->t >= marks_.back().t + kSameMoment_s);
+  const bool is_own = marks_.empty() || (before != recent_.rend() &&
+                                         before->t >= marks_.back().t + kSameMomentSeconds);
   if (before != recent_.rend() && is_own) {
     Moment approach = *before;
     approach.label = std::move(approach_label);
@@ -81,7 +82,7 @@ void Moments::FillMarks(Camera camera, double t, const Jpeg& jpeg, const Moment&
   for (Moment& mark : marks_) {
     if (mark.t > t || mark.pictures.contains(camera)) continue;
     // A camera that joined much later does not show this moment.
-    if (!mark.pictures.empty() && t - mark.t > kSameMoment_s) continue;
+    if (!mark.pictures.empty() && t - mark.t > kSameMomentSeconds) continue;
     if (mark.pictures.empty()) {
       mark.t = t;
       mark.lamps = caption.lamps;
@@ -95,15 +96,15 @@ void Moments::KeepSample(Camera camera, double t, const Jpeg& jpeg, const Moment
   // Pictures of the other camera complete the newest moment of each kind.
   const auto put = [&](Moment& moment) { moment.pictures[camera] = jpeg; };
   const auto completes = [&](const Moment& moment) {
-    return t - moment.t < kCompanion_s && !moment.pictures.contains(camera);
+    return t - moment.t < kCompanionSeconds && !moment.pictures.contains(camera);
   };
 
   if (!recent_.empty() && completes(recent_.back())) {
     put(recent_.back());
-  } else if (recent_.empty() || t - recent_.back().t >= kRecentPeriod_s) {
+  } else if (recent_.empty() || t - recent_.back().t >= kRecentPeriodSeconds) {
     recent_.push_back(caption);
     put(recent_.back());
-    while (recent_.back().t - recent_.front().t > kApproach_s + 4 * kRecentPeriod_s) {
+    while (recent_.back().t - recent_.front().t > kApproachSeconds + 4 * kRecentPeriodSeconds) {
       recent_.pop_front();
     }
   }
@@ -146,18 +147,18 @@ std::vector<Moment> Moments::Select(size_t count) const {
   while (chosen.size() < count) {
     const auto farthest = std::ranges::max_element(
         samples_, {}, [&](const Moment& sample) { return Gap(chosen, sample.t); });
-    if (Gap(chosen, farthest->t) < kSameMoment_s) break;
+    if (Gap(chosen, farthest->t) < kSameMomentSeconds) break;
     InsertByTime(chosen, *farthest);
   }
   return chosen;
 }
 
 void Moments::AddEnds(std::vector<Moment>& chosen) const {
-  if (Gap(chosen, samples_.front().t) >= kNearAnEnd_s) {
+  if (Gap(chosen, samples_.front().t) >= kNearAnEndSeconds) {
     InsertByTime(chosen, samples_.front());
     chosen.front().label = "First picture";
   }
-  const double near = chosen.size() > 1 ? kNearAnEnd_s : kSameMoment_s;
+  const double near = chosen.size() > 1 ? kNearAnEndSeconds : kSameMomentSeconds;
   if (Gap(chosen, last_.t) >= near) {
     InsertByTime(chosen, last_);
     chosen.back().label = "End";

@@ -31,15 +31,12 @@ struct AlarmSeen {
 };
 
 struct LinkSeen {
-  int bus_state = 1;  ///< 0 up, 1 down, 2 bus-off
-  int system_state = 0;
+  int bus_state = 1;   ///< 0 up, 1 down, 2 bus-off
   double quality = 0;  ///< 0..1
-  int box_frame_age_ms = -1;
   int64_t rx = 0;
   int64_t tx = 0;
   int64_t lost = 0;
   int64_t crc_errors = 0;
-  std::string fault;
 };
 
 enum class MissionState : int { kIdle, kBrief, kRun, kSuccess, kFail, kAbort };
@@ -61,6 +58,7 @@ struct PanelSeen {
 enum class Camera : uint8_t { kDrive, kMast };
 inline constexpr int kCameraCount = 2;
 
+inline constexpr int kModuleCount = 5;
 inline constexpr int kCollisionAlarm = 0x10;  ///< alarm_t.code
 
 }  // namespace eod::recorder

@@ -45,7 +45,7 @@ RobotStateSeen Seen(const robot_state_t& message) {
   state.time = FromUtime(message.utime);
   state.step = message.step;
   state.overruns = message.overruns;
-  state.module = message.module;
+  state.module = std::clamp<int>(message.module, 0, kModuleCount);
   std::ranges::copy(message.position_m, state.position_m.begin());
   state.attitude_deg = {message.heading_deg, message.pitch_deg, message.roll_deg};
   std::ranges::copy(message.joint, state.joint.begin());
@@ -61,15 +61,12 @@ AlarmSeen Seen(const alarm_t& message) {
 
 LinkSeen Seen(const link_status_t& message) {
   LinkSeen link;
-  link.bus_state = message.bus_state;
-  link.system_state = message.system_state;
+  link.bus_state = std::clamp<int>(message.bus_state, 0, 2);
   link.quality = message.quality;
-  link.box_frame_age_ms = message.box_frame_age_ms;
   link.rx = message.rx;
   link.tx = message.tx;
   link.lost = message.lost;
   link.crc_errors = message.crc_errors;
-  link.fault = message.fault;
   return link;
 }
 

@@ -17,7 +17,7 @@ LiveStatus InContact() {
   status.speed_mps = -0.3;
   status.inhibit_mask = 0b1;
   status.camera_fps = 29.6;
-  status.link = LinkSeen{.bus_state = 0, .quality = 0.99, .fault = ""};
+  status.link = LinkSeen{.bus_state = 0, .quality = 0.99};
   status.mission.state = MissionState::kRun;
   status.mission.step = 0;
   status.mission.steps = 4;
