@@ -4,6 +4,7 @@ brings the system back."""
 
 import signal
 import sys
+import time
 import unittest
 
 import can
@@ -28,13 +29,12 @@ class Listener:
         self.bus.shutdown()
 
     def frames(self, arbitration_id, seconds):
-        """Frames of one identifier, as they come, for at most so long."""
-        first = None
+        """Frames of one identifier that are sent from now on, for at most so long."""
+        start = time.time()
         while (message := self.bus.recv(seconds)) is not None:
-            first = first or message.timestamp
-            if message.timestamp - first > seconds:
+            if message.timestamp > start + seconds:
                 return
-            if message.arbitration_id == arbitration_id:
+            if message.timestamp >= start and message.arbitration_id == arbitration_id:
                 yield message
 
     def until(self, arbitration_id, condition, seconds, what):
