@@ -1,4 +1,5 @@
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 
@@ -15,10 +16,10 @@ struct DestroyOsMesa {
   void operator()(OSMesaContext context) const { OSMesaDestroyContext(context); }
 };
 
-class OsMesaGlContext : public GlContext {
+class OsMesaGlContext final : public GlContext {
  public:
   OsMesaGlContext() : context_(Create()) {
-    MakeCurrent();
+    OsMesaGlContext::MakeCurrent();
     gl_ = LoadGlFunctions(&OSMesaGetProcAddress);
   }
 
@@ -50,7 +51,7 @@ class OsMesaGlContext : public GlContext {
   }
 
   // Declared before the context, so that it outlives it.
-  std::array<uint8_t, kSide * kSide * 4> dummy_{};
+  std::array<uint8_t, 4UL * kSide * kSide> dummy_{};
   std::unique_ptr<std::remove_pointer_t<OSMesaContext>, DestroyOsMesa> context_;
   GlFunctions gl_;
 };

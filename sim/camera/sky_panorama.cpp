@@ -133,6 +133,7 @@ Image PaintSkyPanorama(const Atmosphere& atmosphere, int width, int height) {
   const Painter painter{atmosphere, atmosphere.sun_direction.normalized(), atmosphere.fog_colour,
                         atmosphere.sky_colour};
   std::vector<Skyline> skyline;
+  skyline.reserve(static_cast<size_t>(width));
   for (int x = 0; x < width; ++x) {
     skyline.push_back(SkylineAt((static_cast<float>(x) + 0.5F) / static_cast<float>(width)));
   }
