@@ -22,6 +22,8 @@ from recording import can_frames, link_states, raised_alarms, robot_states  # no
 WALL_STOP = ROOT / "firmware_emu/scripts/wall_stop.boxscript"
 OUTAGES = HERE / "outages.boxscript"
 LINK_ALARM, COLLISION_ALARM = 0x60, 0x10
+# [s] Far more than any part takes: in an emulated machine, waiting for files may look long.
+PATIENCE = 600
 BUS_DOWN, BUS_OFF = 1, 2
 
 
@@ -49,7 +51,7 @@ class Run:
     def start(self, name, *arguments):
         program = Program(name, *arguments, folder=self.folder)
         self.programs.append(program)
-        program.wait_for("ready", 60)
+        program.wait_for("ready", PATIENCE)
         return program
 
     def stranger(self, *command, output=subprocess.DEVNULL):
@@ -79,11 +81,11 @@ class Run:
                 each.wait()
 
     def wait_for_note(self, text, count=1):
-        self.box.wait_until(lambda: self.box.text().count(text) >= count, f"'{text}'", 60)
+        self.box.wait_until(lambda: self.box.text().count(text) >= count, f"'{text}'", PATIENCE)
 
     def wait_for_script(self):
         """Until the box has played its script to the good end."""
-        if not self.box.ended_within(90) or self.box.process.returncode != 0:
+        if not self.box.ended_within(PATIENCE) or self.box.process.returncode != 0:
             raise AssertionError(f"the script failed:\n{self.box.text()}")
 
 
@@ -108,7 +110,7 @@ class Chain(unittest.TestCase):
         with Run("vcan", "vcan0", "vcan0", WALL_STOP) as run:
             run.stranger("cangen", "vcan0", "-g", "5", "-I", "7E5", "-L", "8")
             run.stranger("cangen", "vcan0", "-g", "7", "-e", "-L", "i")
-            run.box.wait_until(lambda: "operate" in run.box.text(), "operate", 30)
+            run.box.wait_until(lambda: "operate" in run.box.text(), "operate", PATIENCE)
             # A safety frame that is too short and one with a wrong CRC: dropped, counted, survived.
             for frame in ("190#00", "190#0001020304050607"):
                 subprocess.run(["cansend", "vcan0", frame], check=True)

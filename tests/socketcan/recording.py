@@ -1,9 +1,15 @@
 """Reads what a run left behind: candump text, and LCM's log."""
 
+import pathlib
 import re
 import struct
 
+LCMTYPES = pathlib.Path(__file__).resolve().parents[2] / "lcmtypes"
 CANDUMP = re.compile(r"\((\d+\.\d+)\) (\w+) ([0-9A-F]{3}|[0-9A-F]{8})#(R|[0-9A-F]*)")
+FIELD = re.compile(r"^\s*(int8_t|int16_t|int32_t|int64_t|float|double|boolean|string)\s+"
+                   r"(\w+)(?:\[(\w+)\])?;", re.MULTILINE)
+FORMATS = {"int8_t": "b", "int16_t": "h", "int32_t": "i", "int64_t": "q", "float": "f",
+           "double": "d", "boolean": "?"}
 
 
 def can_frames(file, interface, arbitration_id):
@@ -28,29 +34,38 @@ def lcm_events(file, channel):
         offset += 28 + name_size + size
 
 
+def messages(file, channel, type_name):
+    """(seconds, fields by name) of each message of one channel, as its .lcm file declares it."""
+    declared = FIELD.findall((LCMTYPES / f"{type_name}.lcm").read_text())
+    for seconds, payload in lcm_events(file, channel):
+        fields, offset = {}, 8  # behind the type's fingerprint
+        for kind, name, dimension in declared:
+            if kind == "string":
+                size, = struct.unpack_from(">i", payload, offset)
+                fields[name] = payload[offset + 4:offset + 3 + size].decode()
+                offset += 4 + size
+                continue
+            count = (int(dimension) if dimension.isdigit() else fields[dimension]) if dimension else 1
+            values = struct.unpack_from(f">{count}{FORMATS[kind]}", payload, offset)
+            fields[name] = values if dimension else values[0]
+            offset += struct.calcsize(f">{count}{FORMATS[kind]}")
+        if offset != len(payload):
+            raise AssertionError(f"{type_name}: {len(payload)} bytes, declared are {offset}")
+        yield seconds, fields
+
+
 def robot_states(file):
-    """(seconds, (x, y) in metres, speed in m/s): the first fields of robot_state_t."""
-    for seconds, payload in lcm_events(file, "EOD_ROBOT_STATE"):
-        fields = struct.unpack_from(">q qqb3d 3d d", payload)
-        yield seconds, fields[4:6], fields[10]
+    """(seconds, position, speed in m/s) of each step."""
+    for seconds, state in messages(file, "EOD_ROBOT_STATE", "robot_state_t"):
+        yield seconds, state["position_m"], state["speed_mps"]
 
 
 def link_states(file):
-    """(seconds, fields by name) of link_status_t."""
-    numbers = ("rx", "tx", "lost", "tx_dropped", "crc_errors", "counter_errors", "length_errors",
-               "unknown_ids", "error_frames", "bus_restarts")
-    for seconds, payload in lcm_events(file, "EOD_LINK_STATUS"):
-        _, _, system_state, size = struct.unpack_from(">qqbi", payload)
-        offset = 21 + size
-        fields = struct.unpack_from(">bid10qbi", payload, offset)
-        fault = payload[offset + struct.calcsize(">bid10qbi"):-1].decode()
-        yield seconds, dict(zip(numbers, fields[3:13]), system_state=system_state,
-                            bus_state=fields[0], fault=fault)
+    return messages(file, "EOD_LINK_STATUS", "link_status_t")
 
 
 def raised_alarms(file):
     """(seconds, code) of each alarm that was raised, of the bridge and of the simulator."""
-    for seconds, payload in lcm_events(file, "EOD_ALARM"):
-        _, _, _, _, is_repeat, code, is_raised = struct.unpack_from(">qqib?h?", payload)
-        if not is_repeat and is_raised:
-            yield seconds, code
+    for seconds, alarm in messages(file, "EOD_ALARM", "alarm_t"):
+        if alarm["raised"] and not alarm["is_repeat"]:
+            yield seconds, alarm["code"]
