@@ -38,6 +38,7 @@ class UdpCanBus final : public CanBus {
   const Clock& clock_;
   FileDescriptor receive_socket_;
   FileDescriptor send_socket_;  ///< its own port tells this node's datagrams from all others
+  sockaddr_in group_{};
   sockaddr_in own_address_{};
   DatagramReceiver receiver_;
   std::vector<CanFilter> filters_;
