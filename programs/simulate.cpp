@@ -3,6 +3,7 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <sys/resource.h>
 
 #include "lockstep/replay.h"
@@ -18,6 +19,7 @@ void SimulateLive(const SimOptions& options, const StationOptions& station) {
   const RobotModel robot = LoadRobot(options.robot);
   const WorldModel world = LoadWorld(options.world);
   const Scenario scenario = LoadScenario(options.scenario);
+  malloc_trim(0);  // the SDFormat reader leaves some 250 MB of free heap behind
   const SteadyClock clock;
   const auto lcm = OpenLcm(station.lcm);
   SimNode node(options.node, robot, world, scenario, *lcm, clock);

@@ -1,0 +1,44 @@
+#include <benchmark/benchmark.h>
+
+#include "firmware_emu/script.h"
+#include "lockstep/rig.h"
+#include "sim/task/scenario.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+
+/// The first drive, box, bridge and simulator, cameras off: how much faster than real time.
+void FirstDrive(benchmark::State& state) {
+  const std::filesystem::path data = EOD_DATA_DIR;
+  const auto robot = eod::sim::LoadRobot(data / "sim/robots/eod_robot.sdf");
+  const auto world = eod::sim::LoadWorld(data / "sim/worlds/training_ground.sdf");
+  const auto scenario = eod::sim::LoadScenario(data / "sim/scenarios/flat_first_drive.toml");
+  eod::lockstep::RigConfig config;
+  config.bridge.dbc_file = data / "dbc/control_box.dbc";
+  config.bridge.map_file = data / "dbc/control_box.map.toml";
+  eod::box::BoxNodeConfig box;
+  box.dbc_file = config.bridge.dbc_file;
+  box.map_file = config.bridge.map_file;
+  box.script = eod::box::LoadScript(data / "firmware_emu/scripts/first_drive.boxscript");
+  double virtual_s = 0;
+  for (auto _ : state) {
+    state.PauseTiming();
+    eod::lockstep::LockStepRig rig(config, robot, world, scenario);
+    const eod::box::BoxNode& node = rig.AddBox(box);
+    state.ResumeTiming();
+    rig.RunUntil([&node] { return node.is_script_done(); }, 200s);
+    virtual_s += eod::ToSeconds(rig.now() - config.start);
+    if (rig.simulator().last().task.state != eod::sim::MissionState::kSuccess) {
+      state.SkipWithError("the mission did not succeed");
+      break;
+    }
+  }
+  // Simulated seconds in a second of the processor.
+  state.counters["real_time_x"] = benchmark::Counter(virtual_s, benchmark::Counter::kIsRate);
+}
+BENCHMARK(FirstDrive)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();
