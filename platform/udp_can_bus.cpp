@@ -66,23 +66,29 @@ void UdpCanBus::OpenReceiveSocket(const sockaddr_in& group) {
 
 void UdpCanBus::OpenSendSocket(const sockaddr_in& group, int ttl) {
   group_ = group;
-  // Connecting tells the address that datagrams will come from. The socket that sends must not be
-  // connected itself: a multicast with a fixed source leaves by the interface of that address,
-  // whatever the route says, and misses who listens on the route's.
-  const FileDescriptor probe = OpenUdpSocket(url_);
-  sockaddr_in source{};
-  socklen_t size = sizeof source;
-  sockaddr_in any{};
-  any.sin_family = AF_INET;
   send_socket_ = OpenUdpSocket(url_);
   SetOption(send_socket_, IPPROTO_IP, IP_MULTICAST_TTL, ttl);
-  if (::connect(probe.get(), AsSocketAddress(group), sizeof group) < 0 ||
-      ::getsockname(probe.get(), reinterpret_cast<sockaddr*>(&source), &size) < 0 ||
-      ::bind(send_socket_.get(), AsSocketAddress(any), sizeof any) < 0 ||
+  sockaddr_in any{};
+  any.sin_family = AF_INET;
+  socklen_t size = sizeof own_address_;
+  if (::bind(send_socket_.get(), AsSocketAddress(any), sizeof any) < 0 ||
       ::getsockname(send_socket_.get(), reinterpret_cast<sockaddr*>(&own_address_), &size) < 0) {
     throw std::runtime_error(fmt::format("{}: cannot send there: {}", url_, std::strerror(errno)));
   }
-  own_address_.sin_addr = source.sin_addr;
+  FindOwnAddress();
+}
+
+void UdpCanBus::FindOwnAddress() {
+  // Connecting tells the address that datagrams will come from. The socket that sends must not be
+  // connected itself: a multicast with a fixed source leaves by the interface of that address,
+  // whatever the route says, and misses who listens on the route's.
+  const FileDescriptor probe(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  sockaddr_in source{};
+  socklen_t size = sizeof source;
+  if (::connect(probe.get(), AsSocketAddress(group_), sizeof group_) == 0 &&
+      ::getsockname(probe.get(), reinterpret_cast<sockaddr*>(&source), &size) == 0) {
+    own_address_.sin_addr = source.sin_addr;
+  }
 }
 
 SendOutcome UdpCanBus::Send(const CanFrame& frame) {

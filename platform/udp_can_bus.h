@@ -23,7 +23,8 @@ class UdpCanBus final : public CanBus {
   SendOutcome Send(const CanFrame& frame) override;
   std::optional<CanFrame> Receive() override;
   int PollDescriptor() const override { return receive_socket_.get(); }
-  void Maintain(TimePoint /*now*/) override {}
+  /// Follows the host when its address changes: by address and port a node knows its own frames.
+  void Maintain(TimePoint /*now*/) override { FindOwnAddress(); }
   void SetFilters(std::span<const CanFilter> filters) override;
   CanBusState state() const override { return CanBusState::kUp; }
   CanBusCounters counters() const override;
@@ -32,6 +33,7 @@ class UdpCanBus final : public CanBus {
  private:
   void OpenReceiveSocket(const sockaddr_in& group);
   void OpenSendSocket(const sockaddr_in& group, int ttl);
+  void FindOwnAddress();
   bool IsOwn(const Datagram& datagram) const;
 
   std::string url_;

@@ -1,3 +1,4 @@
+#include <cstdlib>
 #include <stdexcept>
 
 #include <arpa/inet.h>
@@ -98,6 +99,18 @@ TEST_F(UdpCanBusTest, StaysOnThisHostUnlessTold) {
   EXPECT_EQ(ttl_of_next(), 0);
   OpenCanBus("udp:239.74.163.2:43113", clock_, {.multicast_ttl = 3})->Send(kMarker);
   EXPECT_EQ(ttl_of_next(), 3);
+}
+
+TEST_F(UdpCanBusTest, KnowsItsOwnFramesWhenTheHostsAddressChanges) {
+  // The loopback's 127.0.0.1 is the source only as long as there is no address of wider scope.
+  ASSERT_EQ(std::system("ip addr add 192.0.2.9/32 dev lo"), 0);
+  dut_->Maintain(clock_.Now());
+  dut_->Send({.id = 1});
+  stranger_.Send(CanDatagram(kMarker, clock_.Now()).bytes());
+  const auto received = Await(*dut_);
+  ASSERT_EQ(std::system("ip addr del 192.0.2.9/32 dev lo"), 0);
+  ASSERT_TRUE(received.has_value());
+  EXPECT_EQ(received->id, kMarker.id);
 }
 
 TEST_F(UdpCanBusTest, NamesAPortThatAnotherProgramKeepsForItself) {

@@ -28,7 +28,7 @@ constexpr CanFrame kStale{.id = 0x100, .length = 1, .data = {0x01}};
 /// `ip link COMMAND`, with {} for the interface's name.
 void Ip(const std::string& command) {
   const std::string line = "ip link " + fmt::format(fmt::runtime(command), SocketCanInterface());
-  ASSERT_EQ(std::system(line.c_str()), 0) << line;  // NOLINT(bugprone-command-processor)
+  ASSERT_EQ(std::system(line.c_str()), 0) << line;
 }
 
 class SocketCanOutage : public testing::Test {
