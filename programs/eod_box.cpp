@@ -9,6 +9,7 @@
 #include "firmware_emu/box_report.h"
 #include "platform/clock.h"
 #include "platform/lcm_station.h"
+#include "platform/priority.h"
 #include "platform/run_main.h"
 #include "platform/run_node.h"
 #include "platform/station_options.h"
@@ -36,6 +37,7 @@ int main(int argc, char** argv) {
       fmt::print("{}", box::Describe(config, station.bus_url));
       return;
     }
+    RunBeforeOthers();
     const SteadyClock clock;
     if (!console_options.keyboard) config.tell = box::PrintTo(stdout, clock.Now());
     const auto bus = OpenCanBus(station, clock);

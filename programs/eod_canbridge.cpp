@@ -4,6 +4,7 @@
 
 #include "canbridge/bridge_node.h"
 #include "canbridge/describe.h"
+#include "platform/priority.h"
 #include "platform/run_main.h"
 #include "platform/run_node.h"
 #include "platform/station_options.h"
@@ -11,6 +12,7 @@
 namespace {
 
 void Bridge(const eod::bridge::BridgeNodeConfig& config, const eod::StationOptions& station) {
+  eod::RunBeforeOthers();
   const eod::SteadyClock clock;
   const auto lcm = eod::OpenLcm(station.lcm);
   const auto bus = eod::OpenCanBus(station, clock);

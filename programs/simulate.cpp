@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 #include <malloc.h>
-#include <sys/resource.h>
 
 #include "lockstep/replay.h"
+#include "platform/priority.h"
 #include "platform/run_main.h"
 #include "platform/run_node.h"
 #include "sim/picture_node.h"
@@ -14,12 +14,11 @@
 namespace eod::sim {
 
 void SimulateLive(const SimOptions& options, const StationOptions& station) {
-  // Steps and messages before strangers, where the system lets us; the cameras' thread steps back.
-  setpriority(PRIO_PROCESS, 0, -15);
+  RunBeforeOthers();
   const RobotModel robot = LoadRobot(options.robot);
   const WorldModel world = LoadWorld(options.world);
   const Scenario scenario = LoadScenario(options.scenario);
-  malloc_trim(0);  // the SDFormat reader leaves some 250 MB of free heap behind
+  malloc_trim(0);  // the SDFormat reader leaves tens of megabytes of free heap behind
   const SteadyClock clock;
   const auto lcm = OpenLcm(station.lcm);
   SimNode node(options.node, robot, world, scenario, *lcm, clock);

@@ -51,8 +51,8 @@ class Judge {
   const SegmentSpec& Segment(const CastSegment& cast) const {
     return Isector(cast).segments[cast.segment];
   }
-  MotionSet Loading(const CastSegment& cast) const {
-    return Isector(cast).motions & Segment(cast).motions;
+  MotionSet MayBlock(const CastSegment& cast) const {
+    return Isector(cast).motions & Segment(cast).motions & Segment(cast).blocks;
   }
   Eigen::Vector3d OriginVelocity(const CastSegment& cast, int motion, double rate) const {
     const double speed = rate * RatedSpeed(robot_, motion, demand_.speed_range);
@@ -82,7 +82,7 @@ SegmentContact Judge::JudgeAlone(const CastSegment& cast, const HeldContact* hel
   const SegmentSpec& segment = Segment(cast);
   SegmentContact contact;
   contact.threshold = held != nullptr ? held->threshold : segment.d0;
-  ForEachMotion(Loading(cast) & demand_.commanded, [&](int motion) {
+  ForEachMotion(MayBlock(cast) & demand_.commanded, [&](int motion) {
     const Eigen::Vector3d v_M = OriginVelocity(cast, motion, demand_.rate[motion]);
     const double own = DistanceThreshold(segment, v_M.norm(), dt_s_);
     const double threshold = held != nullptr ? std::max(own, held->threshold) : own;
@@ -108,7 +108,7 @@ void Judge::JudgeTogether(const CastSegment& cast, MotionSet left_over,
   contact.threshold = std::max(contact.threshold, threshold);
   contact.contact = cast.hit.range < contact.threshold;
   if (cast.hit.range >= threshold || v_M.dot(cast.query.direction) <= kGrazing * v_M.norm()) return;
-  ForEachMotion(left_over & Loading(cast), [&](int motion) {
+  ForEachMotion(left_over & MayBlock(cast), [&](int motion) {
     const Eigen::Vector3d own = OriginVelocity(cast, motion, demand_.rate[motion]);
     if (Shortens(cast, motion, own)) contact.blocks |= SetOf(motion);
   });

@@ -45,8 +45,9 @@ double DistanceThreshold(const SegmentSpec& segment, double speed_mps, double dt
 
 /// Judges the segments that were cast from the current pose against `demand`: a motion is blocked
 /// iff a segment in contact would get shorter by it. Each motion is judged alone, then all
-/// together. Only motions for which a segment is loaded (2.5) can be blocked by it. Lines of a hand
-/// stop that hand alone while the gripper opens or closes; both hands stopped block the motion.
+/// together. Only motions for which a segment is loaded (2.5), and which it `blocks`, can be
+/// blocked by it. Lines of a hand stop that hand alone while the gripper opens or closes; both
+/// hands stopped block the motion.
 ///
 /// `response` is the one of the step before (its `held` contacts matter) and is overwritten. No
 /// allocation once its vectors have grown.

@@ -41,7 +41,8 @@ SegmentSpec ReadGroundLine(const CustomElement& element, const RobotModel& model
 }
 
 SegmentSpec ReadFeeler(const CustomElement& element) {
-  element.AllowAttributes({"name", "start", "direction", "length", "d0", "skin", "motions"});
+  element.AllowAttributes(
+      {"name", "start", "direction", "length", "d0", "skin", "motions", "blocks"});
   SegmentSpec segment{.name = element.Text("name"),
                       .direction = element.Vector("direction"),
                       .length = element.Number("length", 0.001, 1000),
@@ -50,6 +51,7 @@ SegmentSpec ReadFeeler(const CustomElement& element) {
                       .motions = kAllMotions | kAlways};
   if (element.Has("start")) segment.start = element.Vector("start");
   if (element.Has("motions")) segment.motions = MotionsOf(element, "motions");
+  if (element.Has("blocks")) segment.blocks = MotionsOf(element, "blocks");
   if (std::abs(segment.direction.norm() - 1) > 1e-6) {
     element.Fail(fmt::format("direction of <eod:segment> {}: length {}, needs 1", segment.name,
                              segment.direction.norm()));

@@ -54,6 +54,8 @@ struct SegmentSpec {
   double d0 = 0;                    ///< [m] D0 of Eq. 2, carrier's own size included
   double skin = 0.02;               ///< [m] part of d0 beyond the carrier: V0 = skin / dt
   MotionSet motions = kAllMotions;  ///< live only while one of these is commanded
+  MotionSet blocks = kAllMotions;   ///< those of `motions` that it may stop; for the rest it only
+                                    ///< tells how near a thing is
 };
 
 /// An isector on a link.

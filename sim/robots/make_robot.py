@@ -36,13 +36,14 @@ ALONG_X = (0, 90, 0)  # turns a cylinder's axis from Z to X
 ALONG_Y = (90, 0, 0)
 
 
-def segment(name, axis, d0, skin, length=None, start=None, motions=None):
+def segment(name, axis, d0, skin, length=None, start=None, motions=None, blocks=None):
     text = f'<eod:segment name="{name}"'
     if start is not None:
         text += f' start="{numbers(start)}"'
     text += f' direction="{numbers(AXES[axis])}" length="{numbers([length or d0 + 0.20])}"'
     text += f' d0="{numbers([d0])}" skin="{numbers([skin])}"'
-    return text + (f' motions="{motions}"/>' if motions else "/>")
+    text += f' motions="{motions}"' if motions else ""
+    return text + (f' blocks="{blocks}"/>' if blocks else "/>")
 
 
 def isector(name, method, part, motions, segments, at=(0, 0, 0), extended=False):
@@ -189,6 +190,9 @@ def arms():
 def gripper():
     """Frame at the wrist's pivot, +Y along the fingers: crossbeam at 0.15, finger tips at 0.31."""
     arm = "M01 M03 M04 M09 M10 M11 M12 M13 M14 M15 M16 M17 M18"
+    # l3, l6 and l9 look at what is between the hands: while these open or close, that is nearness,
+    # not contact.
+    but_grip = arm.removesuffix(" M17 M18")
     roll = Link("gripper")
     roll.visual(cylinder(0.035, 0.05), STEEL, (0, 0.085, 0), ALONG_Y)
     roll.visual(box(0.06, 0.05, 0.045), GREY, (0, 0.10, 0))
@@ -197,7 +201,7 @@ def gripper():
     beam.visual(box(0.30, 0.006, 0.037), HAZARD, (0, -0.024, 0))
     beam.parts += isector("B7", "bump", "crossbeam", arm,
                           [segment("l7", "-X", 0.14, 0.02), segment("l8", "+X", 0.14, 0.02),
-                           segment("l9", "+Y", 0.14, 0.02)])
+                           segment("l9", "+Y", 0.14, 0.02, blocks=but_grip)])
     hands = []
     for name, side in (("left_hand", -1), ("right_hand", 1)):
         hand = Link(name)
@@ -207,10 +211,10 @@ def gripper():
         hands.append(hand)
     hands[0].parts += isector("B5", "bump", "left_hand", arm,
                               [segment("l1", "+Y", 0.085, 0.02), segment("l2", "-Y", 0.085, 0.02),
-                               segment("l3", "+X", 0.30, 0.02)], (0, FINGER / 2, 0))
+                               segment("l3", "+X", 0.30, 0.02, blocks=but_grip)], (0, FINGER / 2, 0))
     hands[1].parts += isector("B6", "bump", "right_hand", arm,
                               [segment("l4", "+Y", 0.02, 0.02), segment("l5", "-Y", 0.14, 0.02),
-                               segment("l6", "-X", 0.30, 0.02)], (0, FINGER, 0))
+                               segment("l6", "-X", 0.30, 0.02, blocks=but_grip)], (0, FINGER, 0))
     # Beyond the paper's set: nothing of it looks down from the hand.
     for hand, name, part in ((hands[0], "B5_DOWN", "left_hand"), (hands[1], "B6_DOWN", "right_hand")):
         feelers = [segment("-Z", "-Z", 0.045, 0.02), segment("+Z", "+Z", 0.045, 0.02)]

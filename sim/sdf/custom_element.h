@@ -28,7 +28,8 @@ namespace eod::sim {
 ///   joint      <eod:motion index positive negative home_deg|home_m/>: this is J1..J9, and the two
 ///              motions that move it; <eod:follows joint scale hand/>: moved by another joint
 ///   link       <eod:isector name method part motions pose coverage> with <eod:segment name start
-///              direction length d0 skin motions/>: `motions` is "M01 M03", "all" or "always"
+///              direction length d0 skin motions blocks/>: `motions` (loaded for) and `blocks`
+///              (may stop) are "M01 M03", "all" or "always"
 struct CustomElement {
   std::filesystem::path file;
   int line = 0;

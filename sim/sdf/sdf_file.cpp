@@ -13,10 +13,14 @@
 
 #include "sim/sdf/sdf_parts.h"
 #include "sim/sdf/sdf_text.h"
+#include "sim/sdf/world_pieces.h"
 
 namespace eod::sim {
 
 namespace {
+
+/// Of models read at a time: some eighty visuals, for which libsdformat takes some 60 MB.
+constexpr size_t kPieceBytes = 32 * 1024;
 
 /// One line of text, without the line breaks that some messages of libsdformat end with.
 std::string OneLine(std::string text) {
@@ -35,8 +39,7 @@ int LineOfError(const sdf::Error& error, const std::string& text) {
   return LineOfWord(text, message.substr(begin + 1, end - begin - 1));
 }
 
-sdf::Root Load(const std::filesystem::path& file) {
-  const std::string text = ReadNumberedSdf(file);
+sdf::Root Load(const std::filesystem::path& file, const std::string& text) {
   // Errors come back as values. What libsdformat cannot read, it tries as URDF, which talks
   // elsewhere.
   sdf::Console::Instance()->SetQuiet(true);
@@ -51,6 +54,11 @@ sdf::Root Load(const std::filesystem::path& file) {
   std::string message = OneLine(errors.front().Message());
   if (message.starts_with("Error reading")) message += ": " + LineOfText(text, line);
   FailAt(file, line, message);
+}
+
+const sdf::World& OnlyWorld(const std::filesystem::path& file, const sdf::Root& root) {
+  if (root.WorldCount() == 1) return *root.WorldByIndex(0);
+  FailAt(file, 1, fmt::format("holds {} <world>, needs one", root.WorldCount()));
 }
 
 void ReadAir(const sdf::World& world, SdfWorld& result) {
@@ -71,20 +79,8 @@ void ReadAir(const sdf::World& world, SdfWorld& result) {
                       .density = static_cast<float>(fog->Get<double>("density"))};
 }
 
-}  // namespace
-
-SdfModel ReadSdfModel(const std::filesystem::path& file) {
-  const sdf::Root root = Load(file);
-  if (root.Model() == nullptr) FailAt(file, 1, "holds no <model>");
-  return ToModel(*root.Model(), file);
-}
-
-SdfWorld ReadSdfWorld(const std::filesystem::path& file) {
-  const sdf::Root root = Load(file);
-  if (root.WorldCount() != 1) {
-    FailAt(file, 1, fmt::format("holds {} <world>, needs one", root.WorldCount()));
-  }
-  const sdf::World& world = *root.WorldByIndex(0);
+/// All but the models.
+SdfWorld ReadSurroundings(const sdf::World& world, const std::filesystem::path& file) {
   SdfWorld result{.name = world.Name(),
                   .line = LineOf(world.Element()),
                   .frames = {},
@@ -98,11 +94,43 @@ SdfWorld ReadSdfWorld(const std::filesystem::path& file) {
     result.frames.push_back(
         {frame.Name(), Resolve(frame.SemanticPose(), "world", frame.Element(), file)});
   }
-  for (uint64_t i = 0; i < world.ModelCount(); ++i) {
-    result.models.push_back(ToModel(*world.ModelByIndex(i), file));
-  }
   ReadAir(world, result);
   return result;
+}
+
+void ReadModels(const sdf::World& world, const std::filesystem::path& file,
+                std::vector<SdfModel>& models) {
+  for (uint64_t i = 0; i < world.ModelCount(); ++i) {
+    SdfModel model = ToModel(*world.ModelByIndex(i), file);
+    // libsdformat sees only the names of one piece.
+    const auto same = std::find_if(models.begin(), models.end(), [&model](const SdfModel& one) {
+      return one.name == model.name;
+    });
+    if (same != models.end()) {
+      FailAt(file, model.line,
+             fmt::format("second model {}; the first is in line {}", model.name, same->line));
+    }
+    models.push_back(std::move(model));
+  }
+}
+
+}  // namespace
+
+SdfModel ReadSdfModel(const std::filesystem::path& file) {
+  const sdf::Root root = Load(file, ReadNumberedSdf(file));
+  if (root.Model() == nullptr) FailAt(file, 1, "holds no <model>");
+  return ToModel(*root.Model(), file);
+}
+
+SdfWorld ReadSdfWorld(const std::filesystem::path& file) {
+  std::optional<SdfWorld> result;
+  for (const std::string& piece : WorldPieces(ReadNumberedSdf(file), kPieceBytes)) {
+    const sdf::Root root = Load(file, piece);
+    const sdf::World& world = OnlyWorld(file, root);
+    if (!result) result = ReadSurroundings(world, file);
+    ReadModels(world, file, result->models);
+  }
+  return *std::move(result);
 }
 
 }  // namespace eod::sim

@@ -103,7 +103,9 @@ struct SdfWorld {
 /// Throws std::runtime_error with the first error as "FILE:LINE: TEXT".
 SdfModel ReadSdfModel(const std::filesystem::path& file);
 
-/// Reads the one world of a file. Throws like ReadSdfModel.
+/// Reads the one world of a file, some models at a time (WorldPieces), so that a large world needs
+/// little more memory than its result; so a frame or a pose must not refer to another model. Throws
+/// like ReadSdfModel.
 SdfWorld ReadSdfWorld(const std::filesystem::path& file);
 
 }  // namespace eod::sim

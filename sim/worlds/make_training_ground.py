@@ -258,10 +258,10 @@ def lanes():
         pave(LINE, 8 + side * 1.15, 0, 0.08, 30, 2)
         pave(LINE, -24 + side * 1.15, 0, 0.08, 30, 2)
         pave(LINE, -13, -8 + side * 1.15, 14, 0.08, 2)
-    pave(LINE, -5.8, 0.75, 8.2, 0.08, 2)
-    pave(LINE, -5.8, 3.05, 8.2, 0.08, 2)
+    pave(LINE, -5.8, 0.75, 8.2, 0.08, 3)
+    pave(LINE, -5.8, 3.05, 8.2, 0.08, 3)
     for x in (-2.4, -3.2, -4.8, -5.6, -6.4):
-        pave(LINE, x, 1.9, 0.45, 0.08, 2)
+        pave(LINE, x, 1.9, 0.45, 0.08, 3)
     pave(RED, -7.66, 1.9, 0.06, 1.6, 2)  # 0.30 m and a hand's width before the board
     pave(LINE, 0, 0.9, 0.08, 0.5, 3)  # arrow on the pad: forward is north
     link.visual(box(0.08, 0.36, 0.02), LINE, (0.1, 1.1, 0.012 - 0.01), (0, 0, 45))

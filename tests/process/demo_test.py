@@ -124,6 +124,7 @@ class Demo(unittest.TestCase):
         demo = self.start("--seconds", "6")
         text, _ = demo.communicate(timeout=60)
         self.assert_nothing_left()
+        self.assertTrue((self.out / "summary.json").exists(), text)
         summary = json.loads((self.out / "summary.json").read_text())
         self.assertEqual(summary["result"], "incomplete", text)
 

@@ -64,15 +64,17 @@ class Chain:
 
     ARGUMENTS = {"eod-sim": ("--no-cameras",), "eod-canbridge": (), "eod-box": ()}
 
-    def __init__(self, bus, programs=("eod-sim", "eod-canbridge", "eod-box"), **arguments):
+    def __init__(self, bus, programs=("eod-sim", "eod-canbridge", "eod-box"), cameras=False,
+                 **arguments):
         self.bus, self.names = bus, programs
+        self.arguments = {**self.ARGUMENTS, **({"eod-sim": ()} if cameras else {})}
         self.extra = {name.replace("_", "-"): value for name, value in arguments.items()}
         self.programs = {}
         self.folder = tempfile.TemporaryDirectory()
 
     def start(self, name):
         bus = () if name == "eod-sim" else ("--bus", self.bus)
-        program = Program(name, *bus, *self.ARGUMENTS[name], *self.extra.get(name, ()),
+        program = Program(name, *bus, *self.arguments[name], *self.extra.get(name, ()),
                           folder=self.folder.name)
         self.programs[name] = program
         program.wait_for("ready")

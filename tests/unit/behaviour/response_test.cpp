@@ -194,14 +194,9 @@ TEST(Response, OutwardPushOfOneHandStopsThatHandAlone) {
 }
 
 TEST(Response, PadPressedIntoAThingStopsItsHandWhileClosing) {
-  // A box between the hands, off to the left: the left pad's line l1 starts inside it.
+  // A box between the hands, off to the left. That l3, l6 and l9 see it is nearness and stops
+  // nothing, until the left pad's line l1 starts inside it.
   Yard yard(WithIsectors(TheRobot(), {"B5", "B6", "B7"}));
-  for (IsectorSpec& isector : yard.robot.isectors) {
-    for (SegmentSpec& segment : isector.segments) {
-      // Proximity of the grasp predicate, not contact.
-      if (segment.name == "l3" || segment.name == "l6" || segment.name == "l9") segment.d0 = 0;
-    }
-  }
   yard.state.left_opening = yard.state.right_opening = yard.state.joint[kGripperOpening] = 0.10;
   LinkPoses(yard.robot, yard.state, yard.X_ML);
   const Eigen::Isometry3d X_MG = yard.X_ML[FindLink(yard.robot, "gripper")];

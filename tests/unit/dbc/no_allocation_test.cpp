@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "tests/unit/dbc/counting_new.h"
+#include "tests/unit/counting_new.h"
 #include "tests/unit/dbc/samples.h"
 
 namespace eod::dbc {
@@ -18,7 +18,7 @@ TEST_P(NoAllocation, EncodingAndDecodingNeverAllocates) {
   const RobotFeedback feedback = SampleState(FeedbackRoles(), 1);
   PanelState seen_panel;
   RobotFeedback seen_feedback;
-  const int before = AllocationCount();
+  const long before = AllocationCount();
   EXPECT_GT(before, 0) << "the counter does not count";
   int accepted = 0;
   for (int round = 0; round < 20; ++round) {
@@ -34,7 +34,7 @@ TEST_P(NoAllocation, EncodingAndDecodingNeverAllocates) {
     }
     WantedRates(box.map, seen_panel);
   }
-  const int after = AllocationCount();
+  const long after = AllocationCount();
   EXPECT_EQ(after - before, 0);
   EXPECT_EQ(accepted, 20 * (kBoxMessageCount + kRobotMessageCount));
 }

@@ -52,6 +52,14 @@ TEST_F(WorldErrors, ModuleNumberOutOfRangeIsRefused) {
   EXPECT_THAT(Load(), AllOf(StartsWith(place), HasSubstr("id = 6"), HasSubstr("1..5")));
 }
 
+TEST_F(WorldErrors, SecondModelOfANameIsRefusedHoweverFarApart) {
+  const std::string first = world_.PlaceOf("<model name=\"ground\"");
+  const std::string place = world_.Replace("<model name=\"forest\"", "<model name=\"ground\"");
+  const std::string line = first.substr(world_.file().string().size() + 1);
+  EXPECT_EQ(Load(),
+            place + "second model ground; the first is in line " + line.substr(0, line.find(':')));
+}
+
 TEST_F(WorldErrors, SecondModuleOfANumberIsRefused) {
   const std::string place = world_.Replace(
       "<eod:module",

@@ -1,0 +1,121 @@
+#include "sim/sdf/world_pieces.h"
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+
+namespace eod::sim {
+
+namespace {
+
+struct Span {
+  size_t begin = 0;
+  size_t end = 0;
+};
+
+/// One piece of markup: a tag, a comment, a declaration.
+struct Markup {
+  enum class Kind { kOpen, kClose, kEmpty, kOther };
+  Kind kind = Kind::kOther;
+  std::string_view name;  ///< of a tag
+  Span span;
+};
+
+/// End of a tag that begins at `begin`; a ">" between quotes does not end it.
+size_t EndOfTag(std::string_view text, size_t begin) {
+  char quote = 0;
+  for (size_t at = begin; at < text.size(); ++at) {
+    const char c = text[at];
+    if (quote != 0) {
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '>') {
+      return at + 1;
+    }
+  }
+  return text.size();
+}
+
+std::optional<Markup> NextMarkup(std::string_view text, size_t from) {
+  const size_t begin = text.find('<', from);
+  if (begin == std::string_view::npos) return std::nullopt;
+  for (const auto& [opening, closing] :
+       {std::pair<std::string_view, std::string_view>{"<!--", "-->"},
+        {"<![CDATA[", "]]>"},
+        {"<?", "?>"}}) {
+    if (text.substr(begin, opening.size()) != opening) continue;
+    const size_t last = text.find(closing, begin + opening.size());
+    const size_t end = last == std::string_view::npos ? text.size() : last + closing.size();
+    return Markup{.kind = Markup::Kind::kOther, .name = {}, .span = {begin, end}};
+  }
+  const size_t end = EndOfTag(text, begin);
+  const bool closes = text.substr(begin, 2) == "</";
+  const size_t name_begin = begin + (closes ? 2 : 1);
+  const size_t name_end = text.find_first_of(" \t\r\n/>", name_begin);
+  Markup markup{.kind = Markup::Kind::kOpen,
+                .name = text.substr(name_begin, name_end - name_begin),
+                .span = {begin, end}};
+  if (text[begin + 1] == '!') markup.kind = Markup::Kind::kOther;
+  if (closes) markup.kind = Markup::Kind::kClose;
+  if (text[end - 2] == '/') markup.kind = Markup::Kind::kEmpty;
+  return markup;
+}
+
+/// The models that stand right in a world: <sdf>, <world>, <model> or <include>.
+std::vector<Span> ModelSpans(std::string_view text) {
+  constexpr int kModelDepth = 2;
+  std::vector<Span> spans;
+  int depth = 0;
+  size_t begin = 0;
+  for (auto markup = NextMarkup(text, 0); markup; markup = NextMarkup(text, markup->span.end)) {
+    const bool is_model = markup->name == "model" || markup->name == "include";
+    switch (markup->kind) {
+      case Markup::Kind::kOpen:
+        if (depth == kModelDepth) begin = markup->span.begin;
+        ++depth;
+        break;
+      case Markup::Kind::kClose:
+        --depth;
+        if (depth == kModelDepth && is_model) spans.push_back({begin, markup->span.end});
+        break;
+      case Markup::Kind::kEmpty:
+        if (depth == kModelDepth && is_model) spans.push_back(markup->span);
+        break;
+      case Markup::Kind::kOther:
+        break;
+    }
+  }
+  return spans;
+}
+
+void BlankOut(const Span& span, std::string& text) {
+  for (size_t at = span.begin; at < span.end; ++at) {
+    if (text[at] != '\n') text[at] = ' ';
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> WorldPieces(const std::string& text, size_t model_bytes) {
+  const std::vector<Span> models = ModelSpans(text);
+  std::vector<std::string> pieces;
+  size_t first = 0;
+  do {
+    size_t last = first;
+    size_t bytes = 0;
+    while (last < models.size()) {
+      bytes += models[last].end - models[last].begin;
+      if (last > first && bytes > model_bytes) break;
+      ++last;
+    }
+    std::string& piece = pieces.emplace_back(text);
+    for (size_t i = 0; i < models.size(); ++i) {
+      if (i < first || i >= last) BlankOut(models[i], piece);
+    }
+    first = last;
+  } while (first < models.size());
+  return pieces;
+}
+
+}  // namespace eod::sim
