@@ -14,11 +14,11 @@
 namespace eod::sim {
 
 void SimulateLive(const SimOptions& options, const StationOptions& station) {
-  RunBeforeOthers();
   const RobotModel robot = LoadRobot(options.robot);
   const WorldModel world = LoadWorld(options.world);
   const Scenario scenario = LoadScenario(options.scenario);
   malloc_trim(0);  // the SDFormat reader leaves tens of megabytes of free heap behind
+  RunBeforeOthers();
   const SteadyClock clock;
   const auto lcm = OpenLcm(station.lcm);
   SimNode node(options.node, robot, world, scenario, *lcm, clock);

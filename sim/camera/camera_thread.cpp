@@ -14,8 +14,8 @@
 #include <fmt/format.h>
 #include <malloc.h>
 #include <pthread.h>
-#include <sys/resource.h>
 
+#include "platform/priority.h"
 #include "sim/camera/gl_context.h"
 #include "sim/camera/jpeg_encoder.h"
 #include "sim/camera/picture_schedule.h"
@@ -43,12 +43,6 @@ void CheckConfig(const RobotModel& robot, const CameraConfig& config) {
   check("height", config.height, 48, 1080);
   check("rate_hz", config.rate_hz, 1, 60);
   check("jpeg_quality", config.jpeg_quality, 1, 100);
-}
-
-/// The step must find the processor free: pictures come second.
-void YieldToTheStep() {
-  pthread_setname_np(pthread_self(), "eod-camera");
-  setpriority(PRIO_PROCESS, 0, 5);  // on Linux: of this thread alone
 }
 
 }  // namespace
@@ -95,7 +89,8 @@ class CameraThread::Worker {
  private:
   void Run(std::promise<void>& started) {
     try {
-      YieldToTheStep();
+      pthread_setname_np(pthread_self(), "eod-camera");
+      RunAfterOthers();
       // Everything of OpenGL is made, used and destroyed on this thread.
       const std::unique_ptr<GlContext> context = MakeOsMesaContext();
       SceneRenderer renderer(context->gl(), robot_, world_);
@@ -175,8 +170,9 @@ class CameraThread::Worker {
 CameraThread::CameraThread(const RobotModel& robot, const WorldModel& world, CameraConfig config,
                            PictureSink sink) {
   CheckConfig(robot, config);
-  // One thread for the pixels: the simulator needs the other core. Mesa reads this once a process.
-  setenv("LP_NUM_THREADS", "1", 0);
+  // Two threads for the pixels: with one, two cameras want all of a core for 25 pictures a second.
+  // The step takes its share by priority. Mesa reads this once a process.
+  setenv("LP_NUM_THREADS", "2", 0);
   worker_ = std::make_unique<Worker>(robot, world, std::move(config), std::move(sink));
 }
 

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """How long the operator waits: many presses and many contacts on the running programs.
 
-    nice -n -10 tests/netns tests/bench/latency_bench.py build/release/bin [--cameras]
+    tests/netns tests/bench/latency_bench.py build/release/bin [--cameras]
 
 Prints both delays of summary.json (recorder/latency_matcher.h says what they are) beside what the
 product promises: one step of 4 ms, and 1 ms to move or 2 ms to light the lamp. The peer is the
@@ -53,7 +53,7 @@ def script(presses, contacts):
 
 
 class Waiter(threading.Thread):
-    """Waits for every 4 ms, and notes how late [ms] it was woken."""
+    """Waits for every 4 ms, with the programs' own priority, and notes how late [ms] it wakes."""
 
     def __init__(self):
         super().__init__(daemon=True)
@@ -61,6 +61,10 @@ class Waiter(threading.Thread):
         self.ended = False
 
     def run(self):
+        try:
+            os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(10))
+        except PermissionError:
+            pass
         due = time.monotonic()
         while not self.ended:
             due = max(due + 0.004, time.monotonic())

@@ -117,7 +117,7 @@ int main(int argc, char** argv) {
   eod::sim::Options options;
   CLI::App app(
       "Processor milliseconds a camera picture takes; set LP_NUM_THREADS as the simulator does "
-      "(1)");
+      "(2)");
   app.add_option("--robot", options.robot);
   app.add_option("--world", options.world);
   app.add_option("--width", options.width);
