@@ -116,8 +116,8 @@ void DbcReader::ReadLayout(Signal& signal) {
   const int64_t length = ExpectInteger("a length in bits");
   ExpectMark("@");
   const int64_t order = ExpectInteger("a byte order: 0 Motorola, 1 Intel");
-  if (start_bit < 0 || start_bit >= 8 * kMaxPayload || length < 1 || length > 64 || order < 0 ||
-      order > 3) {
+  if (start_bit < 0 || start_bit >= int64_t{8} * kMaxPayload || length < 1 || length > 64 ||
+      order < 0 || order > 3) {
     throw SyntaxError{
         start, fmt::format("signal {}: {}|{}@{}: start bit 0..511, length 1..64, order 0 or 1",
                            signal.name, start_bit, length, order)};

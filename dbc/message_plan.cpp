@@ -20,6 +20,7 @@ constexpr uint32_t kStandardIds = 0x7FF;
 template <typename Named>
 std::string NearestOf(std::string_view name, const std::vector<Named>& candidates) {
   std::vector<std::string> names;
+  names.reserve(candidates.size());
   for (const Named& candidate : candidates) names.push_back(candidate.name);
   return NearestName(name, names);
 }

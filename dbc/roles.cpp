@@ -78,11 +78,11 @@ class Roles {
     return *this;
   }
   template <typename Access>
-  Role<State>& Add(RoleKind kind, std::string key, int index = 0) {
+  Role<State>& Add(RoleKind kind, std::string_view key, int index = 0) {
     Role<State> role;
     role.section = section_;
-    role.name = std::string(prefix_) + key;
-    role.key = std::move(key);
+    role.name = std::string(prefix_).append(key);
+    role.key = key;
     role.kind = kind;
     role.index = index;
     role.get = &Access::Get;

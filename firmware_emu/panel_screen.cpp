@@ -120,8 +120,11 @@ std::string DrawPanel(const PanelStatus& status, const PanelInputs& inputs) {
                        robot.speed_mps, robot.heading_deg, robot.pitch_deg, robot.roll_deg));
   screen += JointRows(robot);
   screen += Line(fmt::format(" Pressed   {}", MotionsText(PressedMotions(status))));
-  screen += Line(fmt::format(" Inhibited {} ({})", MotionsText(robot.inhibit_mask),
-                             WordOf(words::kInhibitReason, robot.inhibit_reason)));
+  const std::string reason =
+      robot.inhibit_reason == dbc::InhibitReason::kNone
+          ? ""
+          : fmt::format(" ({})", WordOf(words::kInhibitReason, robot.inhibit_reason));
+  screen += Line(fmt::format(" Inhibited {}{}", MotionsText(robot.inhibit_mask), reason));
   screen += Line(fmt::format(" Contact   {}", PartsText(robot.hit_parts)));
   screen += ControlRows(inputs);
   for (const std::string_view text : kLegend) screen += Line(text);

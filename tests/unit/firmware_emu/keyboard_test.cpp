@@ -173,6 +173,7 @@ TEST(Screen, ShowsLitLampsInColourAndInhibitedMotions) {
   const std::string dark = DrawPanel(status, {});
   EXPECT_NE(dark.find("Inhibited M01 (collision)"), std::string::npos);
   EXPECT_EQ(dark.find("\x1b[97;41m"), std::string::npos);
+  EXPECT_EQ(DrawPanel(PanelStatus{}, {}).find("Inhibited none ("), std::string::npos);
   status.lit[static_cast<size_t>(dbc::Lamp::kCollision)] = true;
   EXPECT_NE(DrawPanel(status, {}).find("\x1b[97;41mcollision \x1b[0m"), std::string::npos);
 }
