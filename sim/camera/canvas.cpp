@@ -18,8 +18,8 @@ Eigen::Vector3f& Canvas::At(int x, int y) {
                  static_cast<size_t>(column)];
 }
 
-void Canvas::Stroke(Eigen::Vector2f from, Eigen::Vector2f to, const Eigen::Vector3f& colour,
-                    float opacity) {
+void Canvas::Stroke(const Eigen::Vector2f& from, const Eigen::Vector2f& to,
+                    const Eigen::Vector3f& colour, float opacity) {
   const Eigen::Vector2f way = to - from;
   const int steps = std::max(1, static_cast<int>(std::ceil(way.cwiseAbs().maxCoeff())));
   for (int step = 0; step <= steps; ++step) {

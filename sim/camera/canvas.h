@@ -36,7 +36,7 @@ class Canvas {
   }
 
   /// Line of one pixel's width, blended over what is there with `opacity`.
-  void Stroke(Eigen::Vector2f from, Eigen::Vector2f to, const Eigen::Vector3f& colour,
+  void Stroke(const Eigen::Vector2f& from, const Eigen::Vector2f& to, const Eigen::Vector3f& colour,
               float opacity);
 
   Image ToImage() const;

@@ -47,11 +47,11 @@ View MakeSunView(const Vector3d& to_sun, const Vector3d& p_MT, double half_side,
 }
 
 Frustum::Frustum(const View& view) {
-  for (int axis = 0; axis < 3; ++axis) {
+  for (size_t axis = 0; axis < 3; ++axis) {
     const Eigen::RowVector4d w = view.clip.row(3);
-    const Eigen::RowVector4d along = view.clip.row(axis);
-    planes_[static_cast<size_t>(2 * axis)] = (w + along).transpose().cast<float>();
-    planes_[static_cast<size_t>(2 * axis + 1)] = (w - along).transpose().cast<float>();
+    const Eigen::RowVector4d along = view.clip.row(static_cast<Eigen::Index>(axis));
+    planes_[2 * axis] = (w + along).transpose().cast<float>();
+    planes_[2 * axis + 1] = (w - along).transpose().cast<float>();
   }
 }
 

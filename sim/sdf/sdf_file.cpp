@@ -20,7 +20,7 @@ namespace eod::sim {
 namespace {
 
 /// Of models read at a time: some eighty visuals, for which libsdformat takes some 60 MB.
-constexpr size_t kPieceBytes = 32 * 1024;
+constexpr size_t kPieceBytes = 32'000;
 
 /// One line of text, without the line breaks that some messages of libsdformat end with.
 std::string OneLine(std::string text) {

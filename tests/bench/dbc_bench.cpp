@@ -42,7 +42,7 @@ void DecodeFrame(benchmark::State& state, ByteOrder order) {
   std::array<uint8_t, 8> payload{0x98, 0x20, 0x05, 0x11, 0xC8, 0x00, 0x78, 0x10};
   std::array<int64_t, 8> raw{};
   std::array<double, 8> physical{};
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     benchmark::DoNotOptimize(payload.data());
     benchmark::ClobberMemory();
     for (size_t i = 0; i < plans.size(); ++i) {
@@ -59,7 +59,7 @@ void EncodeFrame(benchmark::State& state, ByteOrder order) {
   const std::vector<SignalPlan> plans = EightSignals(order);
   std::array<uint8_t, 8> payload{};
   std::array<double, 8> physical{1, -3, 0.5, 60, 0, -4, 2, 7};
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     benchmark::DoNotOptimize(physical.data());
     benchmark::ClobberMemory();
     for (size_t i = 0; i < plans.size(); ++i)
@@ -83,7 +83,8 @@ void CodecEncodeSafety(benchmark::State& state) {
   const ControlMap map = LoadControlMap(MapFile());
   BoxCodec codec(LoadDatabase(map.dbc), map);
   const PanelState panel;
-  for (auto _ : state) benchmark::DoNotOptimize(codec.Encode(BoxMessage::kSafety, panel));
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(codec.Encode(BoxMessage::kSafety, panel));
 }
 BENCHMARK(CodecEncodeSafety);
 
@@ -92,7 +93,7 @@ void CodecSafetyBothWays(benchmark::State& state) {
   const ControlMap map = LoadControlMap(MapFile());
   BoxCodec codec(LoadDatabase(map.dbc), map);
   PanelState panel;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     benchmark::DoNotOptimize(codec.Decode(*codec.Encode(BoxMessage::kSafety, panel), panel));
   }
 }
@@ -103,7 +104,7 @@ void CodecStatusBothWays(benchmark::State& state) {
   const ControlMap map = LoadControlMap(MapFile());
   BoxCodec codec(LoadDatabase(map.dbc), map);
   RobotFeedback feedback;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     benchmark::DoNotOptimize(
         codec.Decode(*codec.Encode(RobotMessage::kStatus, feedback), feedback));
   }
@@ -113,13 +114,14 @@ BENCHMARK(CodecStatusBothWays);
 void LoadDbc(benchmark::State& state) {
   std::ifstream stream(LoadControlMap(MapFile()).dbc);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  for (auto _ : state) benchmark::DoNotOptimize(ParseDatabase(text, "control_box.dbc"));
+  for ([[maybe_unused]] auto _ : state)
+    benchmark::DoNotOptimize(ParseDatabase(text, "control_box.dbc"));
   state.SetBytesProcessed(static_cast<int64_t>(state.iterations() * text.size()));
 }
 BENCHMARK(LoadDbc);
 
 void LoadMap(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(LoadControlMap(MapFile()));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(LoadControlMap(MapFile()));
 }
 BENCHMARK(LoadMap);
 

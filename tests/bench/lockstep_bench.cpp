@@ -22,7 +22,7 @@ void FirstDrive(benchmark::State& state) {
   box.map_file = config.bridge.map_file;
   box.script = eod::box::LoadScript(data / "firmware_emu/scripts/first_drive.boxscript");
   double virtual_s = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     state.PauseTiming();
     eod::lockstep::LockStepRig rig(config, robot, world, scenario);
     const eod::box::BoxNode& node = rig.AddBox(box);

@@ -93,7 +93,8 @@ TEST_F(UdpCanBusTest, StaysOnThisHostUnlessTold) {
     header.msg_control = control.data();
     header.msg_controllen = control.size();
     EXPECT_GT(::recvmsg(listener.get(), &header, 0), 0);
-    return *reinterpret_cast<const int*>(CMSG_DATA(CMSG_FIRSTHDR(&header)));
+    const cmsghdr* const first = CMSG_FIRSTHDR(&header);
+    return first == nullptr ? -1 : *reinterpret_cast<const int*>(CMSG_DATA(first));
   };
   dut_->Send(kMarker);
   EXPECT_EQ(ttl_of_next(), 0);

@@ -16,7 +16,7 @@ RigConfig Mission::ShippedRig() {
   return config;
 }
 
-Mission::Mission(const std::filesystem::path& script, RigConfig config)
+Mission::Mission(const std::filesystem::path& script, const RigConfig& config)
     : rig_(config, ShippedData().robot, ShippedData().world, ShippedData().scenario) {
   box::BoxNodeConfig box;
   box.dbc_file = config.bridge.dbc_file;

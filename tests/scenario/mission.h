@@ -26,7 +26,7 @@ const Shipped& ShippedData();
 /// was on the bus and every state kept as text.
 class Mission {
  public:
-  explicit Mission(const std::filesystem::path& script, RigConfig config = ShippedRig());
+  explicit Mission(const std::filesystem::path& script, const RigConfig& config = ShippedRig());
 
   static RigConfig ShippedRig();
 
