@@ -1,5 +1,7 @@
 #include "sim/sim_node.h"
 
+#include <utility>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <lcm/lcm-cpp.hpp>
@@ -36,7 +38,8 @@ class SimNodeTest : public ::testing::Test {
  protected:
   static constexpr char kPrefix[] = "T_";
 
-  explicit SimNodeTest(SimNodeConfig config = {.channel_prefix = kPrefix}) : config_(config) {}
+  explicit SimNodeTest(SimNodeConfig config = {.channel_prefix = kPrefix})
+      : config_(std::move(config)) {}
 
   void SetUp() override {
     dut_ = std::make_unique<SimNode>(config_, TheRobot(), TheWorld(), FirstDrive(), lcm_, clock_);
