@@ -1,8 +1,8 @@
 #include "sim/sdf/world_pieces.h"
 
-#include <algorithm>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace eod::sim {
 

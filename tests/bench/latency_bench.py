@@ -58,18 +58,17 @@ class Waiter(threading.Thread):
     def __init__(self):
         super().__init__(daemon=True)
         self.late_ms = []
-        self.ended = False
+        self.ended = threading.Event()
 
     def run(self):
         try:
             os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(10))
         except PermissionError:
             pass
-        due = time.monotonic()
-        while not self.ended:
-            due = max(due + 0.004, time.monotonic())
-            time.sleep(due - time.monotonic() if due > time.monotonic() else 0)
+        due = time.monotonic() + 0.004
+        while not self.ended.wait(due - time.monotonic()):
             self.late_ms.append((time.monotonic() - due) * 1e3)
+            due = max(due + 0.004, time.monotonic())
 
 
 def measure(arguments, folder):
@@ -105,7 +104,8 @@ def main():
     waiter.start()
     with tempfile.TemporaryDirectory() as folder:
         summary = measure(arguments, folder)
-    waiter.ended = True
+    waiter.ended.set()
+    waiter.join()
     for name, promised in PROMISED_MS.items():
         seen = summary["latency_ms"][name]
         print(f"{name}: p50 {seen['p50']:.2f} ms, p99 {seen['p99']:.2f} ms, n {seen['n']}"
