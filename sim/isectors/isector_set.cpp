@@ -48,8 +48,8 @@ void IsectorSet::Cast(const World& world, std::span<const Eigen::Isometry3d> X_M
     if (IsActive(model_.isectors[i], commanded)) LoadIsector(i, X_ML, commanded);
   }
   hits_.resize(queries_.size());
-  counters_ = {};
-  world.Cast(queries_, hits_, counters_);
+  memory_.counters = {};
+  world.Cast(queries_, hits_, memory_);
   for (size_t i = 0; i < segments_.size(); ++i) segments_[i].hit = hits_[i];
   FixGround(X_ML);
 }
@@ -67,7 +67,8 @@ void IsectorSet::LoadIsector(size_t index, std::span<const Eigen::Isometry3d> X_
         .length = segment.length,
         .class_mask = module_bit_ | isector.class_mask,
         .hit_rule = IsVertical(isector.method) ? HitRule::kHighest : HitRule::kNearest,
-        .face_rule = FaceRule::kTwoSided};
+        .face_rule = FaceRule::kTwoSided,
+        .group = static_cast<uint32_t>(index)};
     segments_.push_back({static_cast<int>(index), static_cast<int>(i), query, {}});
     queries_.push_back(query);
   }

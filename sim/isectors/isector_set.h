@@ -53,7 +53,8 @@ class IsectorSet {
   std::span<const CastSegment> segments() const { return segments_; }
   /// Plane through the feet of TRIPOD, from the last call.
   const GroundFix& ground() const { return ground_; }
-  const CastCounters& counters() const { return counters_; }
+  /// Work of the last call.
+  const CastCounters& counters() const { return memory_.counters; }
 
  private:
   bool IsActive(const IsectorSpec& isector, MotionSet commanded) const;
@@ -67,7 +68,7 @@ class IsectorSet {
   std::vector<SegmentQuery> queries_;
   std::vector<SegmentHit> hits_;
   GroundFix ground_;
-  CastCounters counters_;
+  CastMemory memory_;
 };
 
 }  // namespace eod::sim

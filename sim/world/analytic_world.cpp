@@ -9,7 +9,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kEndTolerance = 1e-9;  // [m] see SegmentHit
 const std::string kNoName;
 
 /// Takes the crossing at `range` if the query's rules prefer it to `best`.
@@ -67,12 +66,12 @@ void AnalyticWorld::Meet(const Box& box, const SegmentQuery& query, SegmentHit& 
 }
 
 void AnalyticWorld::Cast(std::span<const SegmentQuery> queries, std::span<SegmentHit> hits,
-                         CastCounters& counters) const {
-  counters.segments += queries.size();
+                         CastMemory& memory) const {
+  memory.counters.segments += queries.size();
   const auto offer_all = [&](const auto& shapes, const SegmentQuery& query, SegmentHit& best) {
     for (const auto& shape : shapes) {
       if (!Accepts(query.class_mask, shape.class_mask)) continue;
-      ++counters.candidates;
+      ++memory.counters.candidates;
       Meet(shape, query, best);
     }
   };

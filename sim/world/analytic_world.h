@@ -21,7 +21,7 @@ class AnalyticWorld final : public World {
               const Eigen::Vector3d& size);
 
   void Cast(std::span<const SegmentQuery> queries, std::span<SegmentHit> hits,
-            CastCounters& counters) const override;
+            CastMemory& memory) const override;
   const std::string& ObjectName(int object) const override;
 
  private:

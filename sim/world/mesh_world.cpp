@@ -14,9 +14,10 @@ MeshWorld::MeshWorld(const ModuleModel& module)
 }
 
 void MeshWorld::Cast(std::span<const SegmentQuery> queries, std::span<SegmentHit> hits,
-                     CastCounters& counters) const {
-  counters.segments += queries.size();
-  for (size_t i = 0; i < queries.size(); ++i) hits[i] = Cast(queries[i], counters.candidates);
+                     CastMemory& memory) const {
+  memory.counters.segments += queries.size();
+  for (size_t i = 0; i < queries.size(); ++i)
+    hits[i] = Cast(queries[i], memory.counters.candidates);
 }
 
 SegmentHit MeshWorld::Cast(const SegmentQuery& query, uint64_t& candidates) const {

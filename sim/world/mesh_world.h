@@ -14,7 +14,7 @@ class MeshWorld final : public World {
   explicit MeshWorld(const ModuleModel& module);
 
   void Cast(std::span<const SegmentQuery> queries, std::span<SegmentHit> hits,
-            CastCounters& counters) const override;
+            CastMemory& memory) const override;
   const std::string& ObjectName(int object) const override;
 
  private:

@@ -5,12 +5,6 @@
 
 namespace eod::sim {
 
-namespace {
-
-constexpr double kEndTolerance = 1e-9;  // [m] see SegmentHit
-
-}  // namespace
-
 PreparedSegment::PreparedSegment(const Eigen::Vector3d& start, const Eigen::Vector3d& direction,
                                  double length, FaceRule face_rule)
     : start_(start), length_(length), front_only_(face_rule == FaceRule::kFrontOnly) {

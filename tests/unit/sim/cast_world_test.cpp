@@ -30,11 +30,11 @@ std::unique_ptr<World> MakeWorld(bool analytic) {
 class CastWorld : public ::testing::TestWithParam<bool> {
  protected:
   std::unique_ptr<World> dut_ = MakeWorld(GetParam());
-  CastCounters counters_;
+  CastMemory memory_;
 
   SegmentHit Cast(const SegmentQuery& query) {
     SegmentHit hit;
-    dut_->Cast({&query, 1}, {&hit, 1}, counters_);
+    dut_->Cast({&query, 1}, {&hit, 1}, memory_);
     return hit;
   }
   /// Forward from y = `from` at 0.7 m height (off every edge and diagonal).
@@ -118,12 +118,12 @@ TEST_P(CastWorld, EveryQueryIsAnsweredAndCounted) {
   const std::array<SegmentQuery, 3> queries = {Forward(1, 10), Forward(1, 1), Forward(5, 10)};
   std::array<SegmentHit, 3> hits;
   hits[1].hit = true;  // left over from before
-  dut_->Cast(queries, hits, counters_);
+  dut_->Cast(queries, hits, memory_);
   EXPECT_TRUE(hits[0].hit);
   EXPECT_FALSE(hits[1].hit);
   EXPECT_TRUE(hits[2].hit);
-  EXPECT_EQ(counters_.segments, 3u);
-  EXPECT_GT(counters_.candidates, 0u);
+  EXPECT_EQ(memory_.counters.segments, 3u);
+  EXPECT_GT(memory_.counters.candidates, 0u);
 }
 
 TEST_P(CastWorld, UnknownObjectHasNoName) {
@@ -138,8 +138,8 @@ TEST(EmptyWorld, MeetsNothing) {
   const auto dut = BuildWorld(ModuleModel{});
   const SegmentQuery query{.length = 10, .class_mask = kBoth};
   SegmentHit hit;
-  CastCounters counters;
-  dut->Cast({&query, 1}, {&hit, 1}, counters);
+  CastMemory memory;
+  dut->Cast({&query, 1}, {&hit, 1}, memory);
   EXPECT_FALSE(hit.hit);
 }
 
@@ -151,7 +151,7 @@ TEST(ModuleMask, OfFiveEqualModulesAFifthOfTheWorkIsLeft) {
   }
   const auto dut = BuildWorld(module);
   SeededNumbers numbers(1);
-  CastCounters all, one;
+  CastMemory all, one;
   for (int i = 0; i < 2000; ++i) {
     SegmentQuery query{.start = {numbers.Between(-19, 19), numbers.Between(-19, 19), 1},
                        .direction = -Vector3d::UnitZ(),
@@ -163,8 +163,9 @@ TEST(ModuleMask, OfFiveEqualModulesAFifthOfTheWorkIsLeft) {
     dut->Cast({&query, 1}, {&hit, 1}, one);
     ASSERT_EQ(hit.object_class & kAnyModule, kModuleBomb);
   }
-  EXPECT_NEAR(static_cast<double>(one.candidates) / static_cast<double>(all.candidates), 0.20,
-              0.02);
+  EXPECT_NEAR(
+      static_cast<double>(one.counters.candidates) / static_cast<double>(all.counters.candidates),
+      0.20, 0.02);
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ class TrainingGround : public ::testing::Test {
                              .length = 10,
                              .class_mask = kModuleFlat | kBumpProxy};
     SegmentHit hit;
-    CastCounters counters;
-    world->Cast({&query, 1}, {&hit, 1}, counters);
+    CastMemory memory;
+    world->Cast({&query, 1}, {&hit, 1}, memory);
     return {hit.hit ? hit.range : -1, world->ObjectName(hit.object)};
   }
 };

@@ -80,8 +80,8 @@ TEST(TriangleTree, AgreesWithEveryTriangleOverAHundredThousandSegments) {
   const std::vector<Extent> extents = ExtentsOf(module);
   const auto queries = RandomSegments(module, kSegments, 2);
   std::vector<SegmentHit> hits(queries.size());
-  CastCounters counters;
-  dut->Cast(queries, hits, counters);
+  CastMemory memory;
+  dut->Cast(queries, hits, memory);
 
   size_t missed = 0, extra = 0, different = 0, hit = 0;
   for (size_t i = 0; i < queries.size(); ++i) {
@@ -98,7 +98,7 @@ TEST(TriangleTree, AgreesWithEveryTriangleOverAHundredThousandSegments) {
   EXPECT_EQ(extra, 0u);
   EXPECT_EQ(different, 0u);
   EXPECT_GT(hit, kSegments / 4);
-  EXPECT_EQ(counters.segments, kSegments);
+  EXPECT_EQ(memory.counters.segments, kSegments);
 }
 
 TEST(TriangleTree, NoSegmentSlipsThroughTheSeamsOfAClosedSurface) {
@@ -109,7 +109,7 @@ TEST(TriangleTree, NoSegmentSlipsThroughTheSeamsOfAClosedSurface) {
   const std::unique_ptr<World> dut = BuildWorld(module);
   SeededNumbers numbers(3);
   size_t missed = 0;
-  CastCounters counters;
+  CastMemory memory;
   for (int i = 0; i < 60000; ++i) {
     const bool at_ball = i % 2 == 0;
     const auto& corner =
@@ -129,7 +129,7 @@ TEST(TriangleTree, NoSegmentSlipsThroughTheSeamsOfAClosedSurface) {
                              .length = (target - start).norm() + 0.5,
                              .class_mask = at_ball ? kBumpProxy : kClampProxy};
     SegmentHit hit;
-    dut->Cast({&query, 1}, {&hit, 1}, counters);
+    dut->Cast({&query, 1}, {&hit, 1}, memory);
     if (!hit.hit) ++missed;
   }
   EXPECT_EQ(missed, 0u);
@@ -140,16 +140,16 @@ TEST(TriangleTree, TwoWorldsOfOneModelGiveTheSameBits) {
   const auto one = BuildWorld(module), other = BuildWorld(module);
   const auto queries = RandomSegments(module, 20000, 6);
   std::vector<SegmentHit> hits(queries.size()), others(queries.size());
-  CastCounters counters, other_counters;
-  one->Cast(queries, hits, counters);
-  other->Cast(queries, others, other_counters);
+  CastMemory memory, other_memory;
+  one->Cast(queries, hits, memory);
+  other->Cast(queries, others, other_memory);
   for (size_t i = 0; i < hits.size(); ++i) {
     ASSERT_EQ(hits[i].hit, others[i].hit);
     ASSERT_EQ(hits[i].range, others[i].range);
     ASSERT_EQ(hits[i].point, others[i].point);
     ASSERT_EQ(hits[i].triangle, others[i].triangle);
   }
-  EXPECT_EQ(counters.candidates, other_counters.candidates);
+  EXPECT_EQ(memory.counters.candidates, other_memory.counters.candidates);
 }
 
 TEST(TriangleTree, OffersFewTrianglesOfManyToAShortSegment) {
@@ -168,9 +168,9 @@ TEST(TriangleTree, OffersFewTrianglesOfManyToAShortSegment) {
                        .hit_rule = HitRule::kHighest});
   }
   std::vector<SegmentHit> hits(queries.size());
-  CastCounters counters;
-  dut->Cast(queries, hits, counters);
-  EXPECT_LE(counters.candidates, 10000u * 12);
+  CastMemory memory;
+  dut->Cast(queries, hits, memory);
+  EXPECT_LE(memory.counters.candidates, 10000u * 12);
   for (const SegmentHit& hit : hits) {
     ASSERT_TRUE(hit.hit);
     ASSERT_NEAR(hit.range, 0.45, 1e-12);
