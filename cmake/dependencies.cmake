@@ -15,6 +15,7 @@ find_package(Freetype REQUIRED)
 pkg_check_modules(lcm REQUIRED IMPORTED_TARGET lcm)
 pkg_check_modules(turbojpeg REQUIRED IMPORTED_TARGET libturbojpeg)
 pkg_check_modules(osmesa REQUIRED IMPORTED_TARGET osmesa)
+pkg_check_modules(gmp REQUIRED IMPORTED_TARGET gmpxx)
 find_path(MSGPACK_INCLUDE_DIR msgpack.hpp REQUIRED)
 find_program(LCM_GEN lcm-gen REQUIRED)
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sim/segments/segment.h"
+#include "sim/segments/surroundings.h"
 
 namespace eod::sim {
 
@@ -18,6 +19,7 @@ struct ListedHit {
 struct CastMemory {
   CastCounters counters;
   std::vector<ListedHit> all;  ///< of the last cast, by query, then by range
+  Surroundings surroundings;
 };
 
 }  // namespace eod::sim

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "sim/geometry/object_class.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/world/triangle_tree.h"
+#include "sim/segments/triangle_engine.h"
 #include "sim/world/world_model.h"
 
 namespace eod::sim {
@@ -11,18 +11,15 @@ namespace eod::sim {
 /// World of triangles that stand still.
 class MeshWorld final : public World {
  public:
-  explicit MeshWorld(const ModuleModel& module);
+  MeshWorld(const ModuleModel& module, InstructionSet instruction_set);
 
   void Cast(std::span<const SegmentQuery> queries, std::span<SegmentHit> hits,
             CastMemory& memory) const override;
   const std::string& ObjectName(int object) const override;
 
  private:
-  SegmentHit Cast(const SegmentQuery& query, uint64_t& candidates) const;
-
-  std::vector<CollisionTriangle> triangles_;
+  TriangleEngine triangles_;
   std::vector<std::string> names_;
-  TriangleTree tree_;
 };
 
 }  // namespace eod::sim

@@ -11,16 +11,11 @@
 
 #include "sim/geometry/pose.h"
 #include "sim/geometry/visual.h"
+#include "sim/segments/block_tree.h"
+#include "sim/segments/kernels.h"
 #include "sim/world/world.h"
 
 namespace eod::sim {
-
-/// A triangle that segments can meet, in the module's local frame.
-struct CollisionTriangle {
-  std::array<Eigen::Vector3d, 3> corner;  ///< counter-clockwise seen from outside
-  uint32_t class_mask = 0;                ///< module bit plus proxy and object bits
-  int object = 0;                         ///< index in WorldModel::objects
-};
 
 /// A model of the SDFormat file.
 struct WorldObject {
@@ -67,6 +62,9 @@ struct WorldModel {
 WorldModel LoadWorld(const std::filesystem::path& file);
 
 /// Builds what segments can meet in `module`. The model may be dropped afterwards.
-std::unique_ptr<World> BuildWorld(const ModuleModel& module);
+/// Throws std::invalid_argument for triangles or an instruction set that cannot be, see
+/// BuildBlockTree and KernelsFor.
+std::unique_ptr<World> BuildWorld(const ModuleModel& module,
+                                  InstructionSet instruction_set = BestInstructionSet());
 
 }  // namespace eod::sim

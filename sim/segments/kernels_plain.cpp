@@ -1,0 +1,8 @@
+#include "sim/segments/kernels_code.h"
+
+namespace eod::sim {
+
+const Kernels kPlainKernels = {OverlappingBoxes, OverlappingChildren, EnteredChildren, TestPacket,
+                               TestLine};
+
+}  // namespace eod::sim

@@ -1,0 +1,118 @@
+#include "sim/segments/triangle_engine.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "sim/segments/line_walk.h"
+#include "sim/segments/packet_cast.h"
+
+namespace eod::sim {
+
+using Eigen::AlignedBox3d;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr size_t kLanes = 8;
+
+uint64_t NextRevision() {
+  static std::atomic<uint64_t> revisions{0};
+  return ++revisions;
+}
+
+bool IsValid(const SegmentQuery& query) {
+  // NaN and infinity fail every comparison that they are in.
+  return std::abs(query.direction.squaredNorm() - 1) <= 2e-6 && query.length >= 0 &&
+         query.length <= 1e6 && query.start.cwiseAbs().maxCoeff() <= 1e6 && !query.start.hasNaN();
+}
+
+bool IsShort(const SegmentQuery& query) { return query.length <= TriangleEngine::kShort; }
+
+bool GoTogether(const SegmentQuery& one, const SegmentQuery& other) {
+  return one.group == other.group && one.class_mask == other.class_mask;
+}
+
+/// Round all short segments of a list, as if they were wanted together again.
+AlignedBox3d BoxOfShort(std::span<const SegmentQuery> queries) {
+  AlignedBox3d box;
+  for (const SegmentQuery& query : queries) {
+    if (!IsValid(query) || !IsShort(query)) continue;
+    box.extend(query.start);
+    box.extend(Vector3d(query.start + query.length * query.direction));
+  }
+  return box;
+}
+
+/// By query, then range; of equal ranges, what was loaded first.
+void Sort(std::vector<ListedHit>& all) {
+  std::sort(all.begin(), all.end(), [](const ListedHit& one, const ListedHit& other) {
+    if (one.query != other.query) return one.query < other.query;
+    if (one.hit.range != other.hit.range) return one.hit.range < other.hit.range;
+    return one.hit.triangle < other.hit.triangle;
+  });
+}
+
+}  // namespace
+
+TriangleEngine::TriangleEngine(std::span<const CollisionTriangle> triangles,
+                               InstructionSet instruction_set)
+    : tree_(BuildBlockTree(triangles)),
+      kernels_(&KernelsFor(instruction_set)),
+      revision_(NextRevision()) {}
+
+void TriangleEngine::Rebuild(std::span<const CollisionTriangle> triangles) {
+  tree_ = BuildBlockTree(triangles);
+  revision_ = NextRevision();
+}
+
+void TriangleEngine::Cast(std::span<const SegmentQuery> queries, std::span<SegmentHit> hits,
+                          CastMemory& memory) const {
+  memory.counters.segments += queries.size();
+  memory.all.clear();
+  for (size_t i = 0; i < queries.size();) {
+    hits[i] = SegmentHit{};
+    if (!IsValid(queries[i])) {
+      ++memory.counters.rejected;
+      ++i;
+    } else if (!IsShort(queries[i])) {
+      CastLong(queries[i], i, hits[i], memory);
+      ++i;
+    } else {
+      size_t end = i + 1;
+      while (end < queries.size() && end < i + kLanes && GoTogether(queries[i], queries[end]) &&
+             IsShort(queries[end]) && IsValid(queries[end])) {
+        hits[end++] = SegmentHit{};
+      }
+      CastShort(queries, i, end, hits, memory);
+      i = end;
+    }
+  }
+  if (!memory.all.empty()) Sort(memory.all);
+}
+
+void TriangleEngine::CastLong(const SegmentQuery& query, size_t index, SegmentHit& hit,
+                              CastMemory& memory) const {
+  TriangleChoice choice(query);
+  WalkAlong(tree_, *kernels_, query, static_cast<int>(index), choice, memory);
+  hit = choice.Hit(tree_);
+}
+
+void TriangleEngine::CastShort(std::span<const SegmentQuery> queries, size_t first, size_t end,
+                               std::span<SegmentHit> hits, CastMemory& memory) const {
+  PacketCast packet(queries.subspan(first, end - first), static_cast<int>(first));
+  Surroundings& near = memory.surroundings;
+  bool covered = near.Covers(packet.box(), revision_);
+  if (!covered && near.IsWorthGathering(packet.box())) {
+    near.Gather(tree_, *kernels_, BoxOfShort(queries), revision_);
+    ++memory.counters.refills;
+    covered = true;
+  }
+  if (covered && near.usable()) {
+    packet.Run(tree_, *kernels_, memory, hits.subspan(first));
+  } else {
+    for (size_t i = first; i < end; ++i) CastLong(queries[i], i, hits[i], memory);
+  }
+}
+
+}  // namespace eod::sim

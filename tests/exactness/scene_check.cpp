@@ -1,0 +1,75 @@
+#include "tests/exactness/scene_check.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "sim/segments/triangle_engine.h"
+#include "tests/exactness/scenes.h"
+
+namespace eod::sim {
+namespace {
+
+constexpr size_t kBatch = 48;  // segments a cast, as a robot has
+
+bool IsSame(const SegmentHit& one, const SegmentHit& other) {
+  return one.hit == other.hit && one.range == other.range && one.triangle == other.triangle &&
+         one.point == other.point && one.normal == other.normal && one.object == other.object;
+}
+
+bool IsSame(const CastMemory& one, const CastMemory& other) {
+  return one.counters == other.counters &&
+         std::equal(one.all.begin(), one.all.end(), other.all.begin(), other.all.end(),
+                    [](const ListedHit& a, const ListedHit& b) {
+                      return a.query == b.query && IsSame(a.hit, b.hit);
+                    });
+}
+
+/// The engine on one instruction set, and what it answered last.
+struct Device {
+  TriangleEngine engine;
+  CastMemory memory;
+  std::vector<SegmentHit> hits;
+
+  Device(const std::vector<CollisionTriangle>& scene, InstructionSet set) : engine(scene, set) {}
+  void Cast(std::span<const SegmentQuery> queries) {
+    hits.resize(queries.size());
+    engine.Cast(queries, hits, memory);
+  }
+  std::span<const ListedHit> Listed(size_t query) const {
+    const auto [first, last] = std::equal_range(
+        memory.all.begin(), memory.all.end(), ListedHit{static_cast<int>(query), {}},
+        [](const ListedHit& a, const ListedHit& b) { return a.query < b.query; });
+    return {first, last};
+  }
+};
+
+uint64_t CountDifferent(const Device& plain, const Device& best) {
+  uint64_t different = 0;
+  for (size_t i = 0; i < plain.hits.size(); ++i) {
+    if (!IsSame(plain.hits[i], best.hits[i])) ++different;
+  }
+  return different + (IsSame(plain.memory, best.memory) ? 0 : 1);
+}
+
+}  // namespace
+
+Verdict CheckScene(uint64_t seed, size_t count) {
+  const std::vector<CollisionTriangle> scene = TrickyScene(seed);
+  const std::vector<SegmentQuery> queries = TrickySegments(scene, count, seed);
+  Device plain(scene, InstructionSet::kPlain), best(scene, BestInstructionSet());
+  Verdict verdict;
+  std::vector<ReferenceHit> expected;
+  for (size_t first = 0; first < queries.size(); first += kBatch) {
+    const std::span batch(&queries[first], std::min(kBatch, queries.size() - first));
+    plain.Cast(batch);
+    best.Cast(batch);
+    verdict.different += CountDifferent(plain, best);
+    for (size_t i = 0; i < batch.size(); ++i) {
+      MeetAll(scene, batch[i], expected);
+      Judge(batch[i], best.hits[i], best.Listed(i), expected, verdict);
+    }
+  }
+  return verdict;
+}
+
+}  // namespace eod::sim
