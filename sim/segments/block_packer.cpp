@@ -75,8 +75,12 @@ int32_t BlockPacker::Pack(std::span<const Item> items) {
 
 uint8_t BlockPacker::VertexIndex(uint32_t first_vertex, const Vector3d& corner) {
   auto& vertices = tree_.vertices;
-  for (size_t i = first_vertex; i < vertices.size(); ++i) {
-    if (vertices[i] == corner) return static_cast<uint8_t>(i - first_vertex);
+  // Neighbours come one after the other: the last corners are the likely ones.
+  for (size_t i = vertices.size(); i > first_vertex; --i) {
+    const Vector3d& known = vertices[i - 1];
+    if (known.x() == corner.x() && known.y() == corner.y() && known.z() == corner.z()) {
+      return static_cast<uint8_t>(i - 1 - first_vertex);
+    }
   }
   vertices.push_back(corner);
   return static_cast<uint8_t>(vertices.size() - 1 - first_vertex);

@@ -78,32 +78,45 @@ Range Builder::RangeOf(size_t first, size_t count) const {
 }
 
 void Builder::Split(const Range& range, bool halve, Range& left, Range& right) {
-  const auto begin = items_.begin() + static_cast<std::ptrdiff_t>(range.first);
-  const auto end = begin + static_cast<std::ptrdiff_t>(range.count);
-  size_t left_count = range.count / 2;
-  if (const Cut cut = halve ? Cut{} : BestCut({&*begin, range.count}, range.centres);
-      cut.axis >= 0) {
-    const auto middle =
-        std::partition(begin, end, [&](const Item& item) { return cut.IsLeft(item); });
-    left_count = static_cast<size_t>(middle - begin);
-  } else {
-    const int axis = WidestAxis(range.centres);
-    std::nth_element(begin, begin + static_cast<std::ptrdiff_t>(left_count), end,
-                     [axis](const Item& one, const Item& other) {
-                       const float a = CentreOf(one, axis), b = CentreOf(other, axis);
-                       return a != b ? a < b : one.index() < other.index();
-                     });
+  const std::span items(&items_[range.first], range.count);
+  left = {.first = range.first, .count = 0, .box = {}, .centres = {}};
+  right = left;
+  if (const Cut cut = halve ? Cut{} : BestCut(items, range.centres); cut.axis >= 0) {
+    size_t end = items.size();
+    while (left.count < end) {
+      if (Item& item = items[left.count]; cut.IsLeft(item)) {
+        Grow(item, left.box, left.centres);
+        ++left.count;
+      } else {
+        Grow(item, right.box, right.centres);
+        std::swap(item, items[--end]);
+      }
+    }
+    right.first += left.count;
+    right.count = range.count - left.count;
+    return;
   }
-  left = RangeOf(range.first, left_count);
-  right = RangeOf(range.first + left_count, range.count - left_count);
+  const int axis = WidestAxis(range.centres);
+  const size_t half = range.count / 2;
+  std::nth_element(items.begin(), items.begin() + static_cast<std::ptrdiff_t>(half), items.end(),
+                   [axis](const Item& one, const Item& other) {
+                     const float a = CentreOf(one, axis), b = CentreOf(other, axis);
+                     return a != b ? a < b : one.index() < other.index();
+                   });
+  left = RangeOf(range.first, half);
+  right = RangeOf(range.first + half, range.count - half);
 }
 
 /// One range for each class mask, so that a mask passes over whole branches and blocks.
 std::vector<Range> Builder::PartByClass() {
   const auto class_of = [this](const Item& item) { return triangles_[item.index()].class_mask; };
-  std::stable_sort(items_.begin(), items_.end(), [&](const Item& one, const Item& other) {
+  const auto by_class = [&](const Item& one, const Item& other) {
     return class_of(one) < class_of(other);
-  });
+  };
+  // Most worlds come in few runs of one class each: the sort is for those that do not.
+  if (!std::is_sorted(items_.begin(), items_.end(), by_class)) {
+    std::stable_sort(items_.begin(), items_.end(), by_class);
+  }
   std::vector<Range> ranges;
   for (size_t first = 0; first < items_.size();) {
     size_t end = first + 1;

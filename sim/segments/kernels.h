@@ -21,8 +21,13 @@ struct alignas(32) SegmentPacket {
   float way[3][8];  ///< from start to end
   float low[3];     ///< box round all of them, rounded outwards
   float high[3];
+  /// Boxes round places 0 and 1, 2 and 3 and so on, rounded outwards: the six lines of a BUMP are
+  /// three thin boxes in a thick one.
+  float pair_low[4][3];
+  float pair_high[4][3];
   float longest = 0;   ///< length of the longest way
   float diagonal = 0;  ///< of the box
+  int pairs = 0;       ///< boxes in use
   uint32_t lanes = 0;  ///< bit i: place i is used
 };
 

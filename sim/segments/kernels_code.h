@@ -49,17 +49,26 @@ inline uint32_t MayMeet(const Points& start, const Points& way, const Points& co
               (least_range <= t) & (t <= size + slack.range));
 }
 
-/// Triangles of the block, from `at` on, whose boxes meet the box low..high.
-inline uint32_t BoxesMeet(const Block& block, int at, const float* low, const float* high) {
-  Lanes meets = Lanes::All(0) <= Lanes::All(0);
+/// Triangles of the block, from `at` on, whose boxes meet one of the pairs' boxes.
+inline uint32_t BoxesMeet(const Block& block, int at, const SegmentPacket& packet,
+                          const float (&shift_low)[3], const float (&shift_high)[3]) {
+  Lanes low[3], high[3];
   for (int axis = 0; axis < 3; ++axis) {
     const Lanes a = Lanes::Load(block.corner[0][axis] + at);
     const Lanes b = Lanes::Load(block.corner[1][axis] + at);
     const Lanes c = Lanes::Load(block.corner[2][axis] + at);
-    meets = meets & (Least(Least(a, b), c) <= Lanes::All(high[axis])) &
-            (Lanes::All(low[axis]) <= Largest(Largest(a, b), c));
+    low[axis] = Least(Least(a, b), c) + Lanes::All(shift_low[axis]);
+    high[axis] = Largest(Largest(a, b), c) + Lanes::All(shift_high[axis]);
   }
-  return Bits(meets);
+  uint32_t bits = 0;
+  for (int pair = 0; pair < packet.pairs; ++pair) {
+    const float* pair_low = packet.pair_low[pair];
+    const float* pair_high = packet.pair_high[pair];
+    bits |= Bits((low[0] <= Lanes::All(pair_high[0])) & (Lanes::All(pair_low[0]) <= high[0]) &
+                 (low[1] <= Lanes::All(pair_high[1])) & (Lanes::All(pair_low[1]) <= high[1]) &
+                 (low[2] <= Lanes::All(pair_high[2])) & (Lanes::All(pair_low[2]) <= high[2]));
+  }
+  return bits;
 }
 
 inline Points CornerOf(const Block& block, int corner, uint32_t triangle) {
@@ -122,14 +131,14 @@ uint32_t EnteredChildren(const Node& node, const Line& line, float reach, float*
 
 int TestPacket(const Block& block, const BlockPlace& place, const SegmentPacket& packet,
                const float* offset, float error, Candidate* found, uint64_t& tested) {
-  float low[3], high[3];
+  float shift_low[3], shift_high[3];
   for (int axis = 0; axis < 3; ++axis) {
-    low[axis] = packet.low[axis] - offset[axis] - error;
-    high[axis] = packet.high[axis] - offset[axis] + error;
+    shift_low[axis] = offset[axis] - error;
+    shift_high[axis] = offset[axis] + error;
   }
   uint32_t triangles = 0;
   for (int at = 0; at < place.count; at += Lanes::kWidth) {
-    triangles |= BoxesMeet(block, at, low, high) << at;
+    triangles |= BoxesMeet(block, at, packet, shift_low, shift_high) << at;
   }
   triangles &= UsedPlaces(place);
   if (triangles == 0) return 0;

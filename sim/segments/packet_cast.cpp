@@ -42,9 +42,29 @@ void PacketCast::Pack(const Vector3d& origin) {
     packet_.low[axis] = static_cast<float>(box_.min()[at] - origin[at]);
     packet_.high[axis] = static_cast<float>(box_.max()[at] - origin[at]);
   }
+  PackPairs();
   packet_.longest = static_cast<float>(longest * (1 + 1e-6));
   packet_.diagonal = static_cast<float>(box_.diagonal().norm() * (1 + 1e-6));
   packet_.lanes = (1u << queries_.size()) - 1;
+}
+
+void PacketCast::PackPairs() {
+  constexpr auto kMargin = static_cast<float>(kBoxMargin);
+  packet_.pairs = static_cast<int>((queries_.size() + 1) / 2);
+  for (size_t axis = 0; axis < 3; ++axis) {
+    std::array<float, 8> low{}, high{};
+    for (size_t i = 0; i < 8; ++i) {
+      const float start = packet_.start[axis][i], end = start + packet_.way[axis][i];
+      low[i] = start < end ? start : end;
+      high[i] = start < end ? end : start;
+    }
+    for (size_t pair = 0; pair < 4; ++pair) {
+      // The second of the last pair may be unused: then it repeats the first segment.
+      const size_t one = 2 * pair, other = one + 1 < queries_.size() ? one + 1 : one;
+      packet_.pair_low[pair][axis] = std::min(low[one], low[other]) - kMargin;
+      packet_.pair_high[pair][axis] = std::max(high[one], high[other]) + kMargin;
+    }
+  }
 }
 
 void PacketCast::Run(const BlockTree& tree, const Kernels& kernels, CastMemory& memory,

@@ -23,6 +23,7 @@ class PacketCast {
 
  private:
   void Pack(const Eigen::Vector3d& origin);
+  void PackPairs();
   void Open(const BlockTree& tree, const Kernels& kernels, const Surroundings::Entry& entry,
             std::span<TriangleChoice> choices, CastMemory& memory) const;
 

@@ -7,6 +7,9 @@ namespace eod::sim {
 namespace {
 
 constexpr int kBins = 16;
+constexpr int kFewBins = 8;  // where sweeping the bins would cost more than filling them
+constexpr size_t kFewItems = 64;
+constexpr size_t kSample = 1 << 14;  // of more items, every n-th shows where the best cut is
 
 using Float4 [[gnu::vector_size(16)]] = float;
 
@@ -25,16 +28,24 @@ struct Bin {
   int count = 0;
 };
 
-double BlocksOf(int triangles) { return (triangles + kBlockSize - 1) / kBlockSize; }
-
-int BinOf(float centre, float low, float scale) {
-  return std::min(static_cast<int>((centre - low) * scale), kBins - 1);
+float BlocksOf(int triangles) {
+  return static_cast<float>((triangles + kBlockSize - 1) / kBlockSize);
 }
+
+float Area(const Box4& box) {
+  const float x = box.high[0] - box.low[0], y = box.high[1] - box.low[1],
+              z = box.high[2] - box.low[2];
+  return x >= 0 ? x * y + y * z + z * x : 0;
+}
+
+int BinOf(float centre, float low, float scale) { return static_cast<int>((centre - low) * scale); }
 
 using Bins = std::array<std::array<Bin, kBins>, 3>;
 
 void Fill(std::span<const Item> items, const Box4& centres, const float* scale, Bins& bins) {
-  for (const Item& item : items) {
+  const size_t stride = items.size() / kSample + 1;
+  for (size_t i = 0; i < items.size(); i += stride) {
+    const Item& item = items[i];
     const Float4 low = Load(item.low), high = Load(item.high);
     for (size_t axis = 0; axis < 3; ++axis) {
       const int bin = BinOf(CentreOf(item, static_cast<int>(axis)), centres.low[axis], scale[axis]);
@@ -46,24 +57,24 @@ void Fill(std::span<const Item> items, const Box4& centres, const float* scale, 
 }
 
 /// Sweeps from both sides; returns the least cost and where.
-std::pair<double, int> Cheapest(const std::array<Bin, kBins>& bins) {
-  std::array<double, kBins> right_cost{};
+std::pair<float, int> Cheapest(const std::array<Bin, kBins>& bins, size_t count) {
+  std::array<float, kBins> right_cost;
   Box4 right;
   int right_count = 0;
-  for (size_t i = kBins - 1; i > 0; --i) {
+  for (size_t i = count - 1; i > 0; --i) {
     Include(Load(bins[i].box.low), Load(bins[i].box.high), right);
     right_count += bins[i].count;
-    right_cost[i] = HalfArea(right) * BlocksOf(right_count);
+    right_cost[i] = Area(right) * BlocksOf(right_count);
   }
-  std::pair<double, int> best{std::numeric_limits<double>::infinity(), 0};
+  std::pair<float, int> best{Box4::kFar, 0};
   const int total = right_count + bins[0].count;
   Box4 left;
   int left_count = 0;
-  for (size_t i = 1; i < kBins; ++i) {
+  for (size_t i = 1; i < count; ++i) {
     Include(Load(bins[i - 1].box.low), Load(bins[i - 1].box.high), left);
     left_count += bins[i - 1].count;
     if (left_count == 0 || left_count == total) continue;
-    const double cost = HalfArea(left) * BlocksOf(left_count) + right_cost[i];
+    const float cost = Area(left) * BlocksOf(left_count) + right_cost[i];
     if (cost < best.first) best = {cost, static_cast<int>(i)};
   }
   return best;
@@ -71,11 +82,7 @@ std::pair<double, int> Cheapest(const std::array<Bin, kBins>& bins) {
 
 }  // namespace
 
-double HalfArea(const Box4& box) {
-  const double x = box.high[0] - box.low[0], y = box.high[1] - box.low[1],
-               z = box.high[2] - box.low[2];
-  return x >= 0 ? x * y + y * z + z * x : 0;
-}
+double HalfArea(const Box4& box) { return static_cast<double>(Area(box)); }
 
 void Grow(const Item& item, Box4& box, Box4& centres) {
   const Float4 low = Load(item.low), high = Load(item.high);
@@ -98,19 +105,20 @@ int WidestAxis(const Box4& centres) {
 bool Cut::IsLeft(const Item& item) const { return BinOf(CentreOf(item, axis), low, scale) < bin; }
 
 Cut BestCut(std::span<const Item> items, const Box4& centres) {
+  const int count = items.size() > kFewItems ? kBins : kFewBins;
   std::array<float, 3> scale{};
   for (size_t axis = 0; axis < 3; ++axis) {
     const float width = centres.high[axis] - centres.low[axis];
     // A hair below the full number of bins; a width of 0 puts everything into the first.
-    scale[axis] = width > 0 ? static_cast<float>(kBins) * 0.99999F / width : 0;
+    scale[axis] = width > 0 ? static_cast<float>(count) * 0.99999F / width : 0;
     if (!(scale[axis] < std::numeric_limits<float>::max())) scale[axis] = 0;
   }
   Bins bins;
   Fill(items, centres, scale.data(), bins);
   Cut best;
-  double least = std::numeric_limits<double>::infinity();
+  float least = Box4::kFar;
   for (size_t axis = 0; axis < 3; ++axis) {
-    const auto [cost, bin] = Cheapest(bins[axis]);
+    const auto [cost, bin] = Cheapest(bins[axis], static_cast<size_t>(count));
     if (cost >= least) continue;
     least = cost;
     best = {static_cast<int>(axis), bin, centres.low[axis], scale[axis]};
