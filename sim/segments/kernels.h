@@ -62,9 +62,9 @@ struct BoxColumns {
 /// The arithmetic of one instruction set. All tests are conservative: rounding never loses a
 /// candidate, the exact test decides.
 struct Kernels {
-  /// Indices of the boxes that meet the box low..high; returns how many. `found` has room for all.
-  int (*OverlappingBoxes)(const BoxColumns& boxes, const float* low, const float* high,
-                          int32_t* found);
+  /// Indices of the boxes that meet a pair of the packet; returns how many. `found` has room for
+  /// all.
+  int (*OverlappingBoxes)(const BoxColumns& boxes, const SegmentPacket& packet, int32_t* found);
   /// Bit mask of the node's children that meet the box low..high.
   uint32_t (*OverlappingChildren)(const Node& node, const float* low, const float* high);
   /// Bit mask of the children that the line enters before `reach`, and where.

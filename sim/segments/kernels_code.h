@@ -49,24 +49,29 @@ inline uint32_t MayMeet(const Points& start, const Points& way, const Points& co
               (least_range <= t) & (t <= size + slack.range));
 }
 
+/// Boxes low..high that meet the box bottom..top.
+inline Lanes Overlap(const Points& low, const Points& high, const Points& bottom,
+                     const Points& top) {
+  return (low.x <= top.x) & (bottom.x <= high.x) & (low.y <= top.y) & (bottom.y <= high.y) &
+         (low.z <= top.z) & (bottom.z <= high.z);
+}
+
 /// Triangles of the block, from `at` on, whose boxes meet one of the pairs' boxes.
 inline uint32_t BoxesMeet(const Block& block, int at, const SegmentPacket& packet,
-                          const float (&shift_low)[3], const float (&shift_high)[3]) {
-  Lanes low[3], high[3];
-  for (int axis = 0; axis < 3; ++axis) {
-    const Lanes a = Lanes::Load(block.corner[0][axis] + at);
-    const Lanes b = Lanes::Load(block.corner[1][axis] + at);
-    const Lanes c = Lanes::Load(block.corner[2][axis] + at);
-    low[axis] = Least(Least(a, b), c) + Lanes::All(shift_low[axis]);
-    high[axis] = Largest(Largest(a, b), c) + Lanes::All(shift_high[axis]);
-  }
+                          const float* offset, float error) {
+  const Points a = LoadPoints(block.corner[0], at), b = LoadPoints(block.corner[1], at),
+               c = LoadPoints(block.corner[2], at), shift = AllPoints(offset);
+  const Lanes slack = Lanes::All(error);
+  const Points low = {Least(Least(a.x, b.x), c.x) + (shift.x - slack),
+                      Least(Least(a.y, b.y), c.y) + (shift.y - slack),
+                      Least(Least(a.z, b.z), c.z) + (shift.z - slack)};
+  const Points high = {Largest(Largest(a.x, b.x), c.x) + (shift.x + slack),
+                       Largest(Largest(a.y, b.y), c.y) + (shift.y + slack),
+                       Largest(Largest(a.z, b.z), c.z) + (shift.z + slack)};
   uint32_t bits = 0;
   for (int pair = 0; pair < packet.pairs; ++pair) {
-    const float* pair_low = packet.pair_low[pair];
-    const float* pair_high = packet.pair_high[pair];
-    bits |= Bits((low[0] <= Lanes::All(pair_high[0])) & (Lanes::All(pair_low[0]) <= high[0]) &
-                 (low[1] <= Lanes::All(pair_high[1])) & (Lanes::All(pair_low[1]) <= high[1]) &
-                 (low[2] <= Lanes::All(pair_high[2])) & (Lanes::All(pair_low[2]) <= high[2]));
+    bits |= Bits(
+        Overlap(low, high, AllPoints(packet.pair_low[pair]), AllPoints(packet.pair_high[pair])));
   }
   return bits;
 }
@@ -79,15 +84,20 @@ inline Points CornerOf(const Block& block, int corner, uint32_t triangle) {
 
 inline uint32_t UsedPlaces(const BlockPlace& place) { return (1u << place.count) - 1; }
 
-int OverlappingBoxes(const BoxColumns& boxes, const float* low, const float* high, int32_t* found) {
-  const Points bottom = AllPoints(low), top = AllPoints(high);
+int OverlappingBoxes(const BoxColumns& boxes, const SegmentPacket& packet, int32_t* found) {
+  const Points bottom = AllPoints(packet.low), top = AllPoints(packet.high);
   int count = 0;
   for (int at = 0; at < boxes.count; at += Lanes::kWidth) {
-    uint32_t bits = Bits(
-        (Lanes::Load(boxes.low[0] + at) <= top.x) & (Lanes::Load(boxes.low[1] + at) <= top.y) &
-        (Lanes::Load(boxes.low[2] + at) <= top.z) & (bottom.x <= Lanes::Load(boxes.high[0] + at)) &
-        (bottom.y <= Lanes::Load(boxes.high[1] + at)) &
-        (bottom.z <= Lanes::Load(boxes.high[2] + at)));
+    const Points low = {Lanes::Load(boxes.low[0] + at), Lanes::Load(boxes.low[1] + at),
+                        Lanes::Load(boxes.low[2] + at)};
+    const Points high = {Lanes::Load(boxes.high[0] + at), Lanes::Load(boxes.high[1] + at),
+                         Lanes::Load(boxes.high[2] + at)};
+    if (Bits(Overlap(low, high, bottom, top)) == 0) continue;
+    uint32_t bits = 0;
+    for (int pair = 0; pair < packet.pairs; ++pair) {
+      bits |= Bits(
+          Overlap(low, high, AllPoints(packet.pair_low[pair]), AllPoints(packet.pair_high[pair])));
+    }
     for (; bits != 0; bits &= bits - 1) found[count++] = at + __builtin_ctz(bits);
   }
   return count;
@@ -98,9 +108,7 @@ uint32_t OverlappingChildren(const Node& node, const float* low, const float* hi
   uint32_t bits = 0;
   for (int at = 0; at < kFanOut; at += Lanes::kWidth) {
     const Points node_low = LoadPoints(node.low, at), node_high = LoadPoints(node.high, at);
-    bits |= Bits((node_low.x <= top.x) & (node_low.y <= top.y) & (node_low.z <= top.z) &
-                 (bottom.x <= node_high.x) & (bottom.y <= node_high.y) & (bottom.z <= node_high.z))
-            << at;
+    bits |= Bits(Overlap(node_low, node_high, bottom, top)) << at;
   }
   return bits;
 }
@@ -131,14 +139,9 @@ uint32_t EnteredChildren(const Node& node, const Line& line, float reach, float*
 
 int TestPacket(const Block& block, const BlockPlace& place, const SegmentPacket& packet,
                const float* offset, float error, Candidate* found, uint64_t& tested) {
-  float shift_low[3], shift_high[3];
-  for (int axis = 0; axis < 3; ++axis) {
-    shift_low[axis] = offset[axis] - error;
-    shift_high[axis] = offset[axis] + error;
-  }
   uint32_t triangles = 0;
   for (int at = 0; at < place.count; at += Lanes::kWidth) {
-    triangles |= BoxesMeet(block, at, packet, shift_low, shift_high) << at;
+    triangles |= BoxesMeet(block, at, packet, offset, error) << at;
   }
   triangles &= UsedPlaces(place);
   if (triangles == 0) return 0;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <span>
 
 #include "sim/segments/kernels.h"
@@ -12,24 +11,23 @@ namespace eod::sim {
 class PacketCast {
  public:
   /// `queries` are 1..8 of one class mask; `first_query` is the place of the first one in the list
-  /// that is cast.
-  PacketCast(std::span<const SegmentQuery> queries, int first_query);
+  /// that is cast. Packed relative to `origin`, which is less than a few dozen metres away.
+  PacketCast(std::span<const SegmentQuery> queries, int first_query, const Eigen::Vector3d& origin);
 
-  const Eigen::AlignedBox3d& box() const { return box_; }  ///< round all segments, grown a little
+  const SegmentPacket& packet() const { return packet_; }
 
-  /// Asks the surroundings, which cover the box, and answers in `hits`.
+  /// Asks the surroundings, which cover the packet, and answers in `hits`.
   void Run(const BlockTree& tree, const Kernels& kernels, CastMemory& memory,
-           std::span<SegmentHit> hits);
+           std::span<SegmentHit> hits) const;
 
  private:
-  void Pack(const Eigen::Vector3d& origin);
-  void PackPairs();
+  void Pack(size_t place, const SegmentQuery& query, const Eigen::Vector3d& origin);
+  void PackBoxes();
   void Open(const BlockTree& tree, const Kernels& kernels, const Surroundings::Entry& entry,
             std::span<TriangleChoice> choices, CastMemory& memory) const;
 
   std::span<const SegmentQuery> queries_;
   int first_query_;
-  Eigen::AlignedBox3d box_;
   SegmentPacket packet_;
 };
 

@@ -38,6 +38,7 @@ void Surroundings::Gather(const BlockTree& tree, const Kernels& kernels, const A
   revision_ = revision;
   region_ = AlignedBox3d(box.min().array() - kMargin, box.max().array() + kMargin);
   origin_ = box.center();
+  for (int axis = 0; axis < 3; ++axis) half_size_[axis] = RoundedDown(region_.sizes()[axis] / 2);
   entries_.clear();
   usable_ = box.sizes().maxCoeff() <= kWidest;
   if (usable_) CollectBlocks(tree, kernels);
@@ -50,6 +51,14 @@ bool Surroundings::IsWorthGathering(const AlignedBox3d& box) {
       AlignedBox3d(box.min().array() - kMargin, box.max().array() + kMargin));
   last_asked_ = box;
   return is_near || region_.intersects(box);
+}
+
+bool Surroundings::Covers(const SegmentPacket& packet) const {
+  bool inside = true;
+  for (int axis = 0; axis < 3; ++axis) {
+    inside &= -half_size_[axis] <= packet.low[axis] && packet.high[axis] <= half_size_[axis];
+  }
+  return inside;
 }
 
 void Surroundings::CollectBlocks(const BlockTree& tree, const Kernels& kernels) {

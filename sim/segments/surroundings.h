@@ -27,10 +27,10 @@ class Surroundings {
   /// Gathers what is near `box` (module's local frame). `revision` names the state of the tree.
   void Gather(const BlockTree& tree, const Kernels& kernels, const Eigen::AlignedBox3d& box,
               uint64_t revision);
-  /// Whether the list, of this state of the tree, holds all that is near `box`.
-  bool Covers(const Eigen::AlignedBox3d& box, uint64_t revision) const {
-    return revision == revision_ && region_.contains(box);
-  }
+  /// Whether the list is of this state of the tree.
+  bool IsOf(uint64_t revision) const { return revision == revision_; }
+  /// Whether it holds all that is near a packet, which is packed relative to `origin()`.
+  bool Covers(const SegmentPacket& packet) const;
   /// Whether something near was asked for the time before too: a reader that stays is worth a list,
   /// a single question is not.
   bool IsWorthGathering(const Eigen::AlignedBox3d& box);
@@ -56,6 +56,7 @@ class Surroundings {
   std::vector<float> columns_;  ///< six of kMaxBlocks
   std::vector<int32_t> found_;
   BoxColumns boxes_{};
+  float half_size_[3] = {-1, -1, -1};  ///< [m] of the region, rounded down
 };
 
 }  // namespace eod::sim

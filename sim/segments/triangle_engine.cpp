@@ -23,8 +23,11 @@ uint64_t NextRevision() {
 
 bool IsValid(const SegmentQuery& query) {
   // NaN and infinity fail every comparison that they are in.
-  return std::abs(query.direction.squaredNorm() - 1) <= 2e-6 && query.length >= 0 &&
-         query.length <= 1e6 && query.start.cwiseAbs().maxCoeff() <= 1e6 && !query.start.hasNaN();
+  constexpr double kFarthest = 1e6;
+  const Vector3d &start = query.start, &d = query.direction;
+  return std::abs(d.x() * d.x() + d.y() * d.y() + d.z() * d.z() - 1) <= 2e-6 && query.length >= 0 &&
+         query.length <= kFarthest && std::abs(start.x()) <= kFarthest &&
+         std::abs(start.y()) <= kFarthest && std::abs(start.z()) <= kFarthest;
 }
 
 bool IsShort(const SegmentQuery& query) { return query.length <= TriangleEngine::kShort; }
@@ -33,7 +36,7 @@ bool GoTogether(const SegmentQuery& one, const SegmentQuery& other) {
   return one.group == other.group && one.class_mask == other.class_mask;
 }
 
-/// Round all short segments of a list, as if they were wanted together again.
+/// Round all valid short segments of a list: what will be wanted together again.
 AlignedBox3d BoxOfShort(std::span<const SegmentQuery> queries) {
   AlignedBox3d box;
   for (const SegmentQuery& query : queries) {
@@ -100,19 +103,24 @@ void TriangleEngine::CastLong(const SegmentQuery& query, size_t index, SegmentHi
 
 void TriangleEngine::CastShort(std::span<const SegmentQuery> queries, size_t first, size_t end,
                                std::span<SegmentHit> hits, CastMemory& memory) const {
-  PacketCast packet(queries.subspan(first, end - first), static_cast<int>(first));
   Surroundings& near = memory.surroundings;
-  bool covered = near.Covers(packet.box(), revision_);
-  if (!covered && near.IsWorthGathering(packet.box())) {
+  const auto group = queries.subspan(first, end - first);
+  bool covered = false;
+  if (near.IsOf(revision_)) {
+    const PacketCast packet(group, static_cast<int>(first), near.origin());
+    covered = near.Covers(packet.packet());
+    if (covered && near.usable()) {
+      packet.Run(tree_, *kernels_, memory, hits.subspan(first));
+      return;
+    }
+  }
+  if (!covered && near.IsWorthGathering(BoxOfShort(group))) {
     near.Gather(tree_, *kernels_, BoxOfShort(queries), revision_);
     ++memory.counters.refills;
-    covered = true;
+    CastShort(queries, first, end, hits, memory);
+    return;
   }
-  if (covered && near.usable()) {
-    packet.Run(tree_, *kernels_, memory, hits.subspan(first));
-  } else {
-    for (size_t i = first; i < end; ++i) CastLong(queries[i], i, hits[i], memory);
-  }
+  for (size_t i = first; i < end; ++i) CastLong(queries[i], i, hits[i], memory);
 }
 
 }  // namespace eod::sim
