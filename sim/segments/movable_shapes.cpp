@@ -32,6 +32,19 @@ size_t GroupLength(std::span<const SegmentQuery> queries) {
   return static_cast<size_t>(end - queries.begin());
 }
 
+/// How far the span [low, high] is from each of a batch of spans, where that is farther than what
+/// another axis has found. Plain pointers and no branch: so g++ compares several at once.
+template <size_t kCount>
+void WidenGaps(const double* lows, const double* highs, double low, double high,
+               std::array<double, kCount>& apart) {
+  double* const gap = apart.data();
+  for (size_t i = 0; i < kCount; ++i) {
+    const double above = lows[i] - high, below = low - highs[i];
+    const double one = above > below ? above : below;
+    gap[i] = one > gap[i] ? one : gap[i];
+  }
+}
+
 }  // namespace
 
 void MovableShapes::BoxList::Resize(size_t count) {
@@ -58,20 +71,12 @@ bool MovableShapes::BoxList::Overlaps(size_t index, const AlignedBox3d& box) con
 }
 
 uint32_t MovableShapes::BoxList::OverlappingBatch(size_t first, const AlignedBox3d& box) const {
-  // The distance between the boxes along the axis where they are farthest apart, for all of the
-  // batch at once.
   std::array<double, kBatch> apart;
   apart.fill(-kInfinity);
   for (size_t axis = 0; axis < 3; ++axis) {
-    const double* const box_low = low[axis].data() + first;
-    const double* const box_high = high[axis].data() + first;
-    const double query_low = box.min()[static_cast<Eigen::Index>(axis)];
-    const double query_high = box.max()[static_cast<Eigen::Index>(axis)];
-    for (size_t i = 0; i < kBatch; ++i) {
-      const double above = box_low[i] - query_high, below = query_low - box_high[i];
-      const double one = above > below ? above : below;
-      apart[i] = one > apart[i] ? one : apart[i];
-    }
+    const auto a = static_cast<Eigen::Index>(axis);
+    WidenGaps(low[axis].data() + first, high[axis].data() + first, box.min()[a], box.max()[a],
+              apart);
   }
   uint32_t overlapping = 0;
   for (size_t i = 0; i < kBatch; ++i) overlapping |= static_cast<uint32_t>(apart[i] <= 0) << i;

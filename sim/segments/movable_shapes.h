@@ -41,7 +41,7 @@ class MovableShapes {
 
   /// Bounds of all shapes, corner by corner: a group of queries is culled against a batch of them
   /// without a branch. Padded to whole batches with boxes that nothing meets.
-  static constexpr size_t kBatch = 16;
+  static constexpr size_t kBatch = 32;
   struct BoxList {
     std::array<std::vector<double>, 3> low, high;
     void Resize(size_t count);
