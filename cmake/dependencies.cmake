@@ -16,6 +16,7 @@ pkg_check_modules(lcm REQUIRED IMPORTED_TARGET lcm)
 pkg_check_modules(turbojpeg REQUIRED IMPORTED_TARGET libturbojpeg)
 pkg_check_modules(osmesa REQUIRED IMPORTED_TARGET osmesa)
 pkg_check_modules(gmp REQUIRED IMPORTED_TARGET gmpxx)
+pkg_check_modules(bullet_float64 REQUIRED IMPORTED_TARGET bullet-float64)
 find_path(MSGPACK_INCLUDE_DIR msgpack.hpp REQUIRED)
 find_program(LCM_GEN lcm-gen REQUIRED)
 
@@ -23,3 +24,7 @@ find_program(LCM_GEN lcm-gen REQUIRED)
 add_library(msgpack_cxx INTERFACE)
 target_include_directories(msgpack_cxx SYSTEM INTERFACE ${MSGPACK_INCLUDE_DIR})
 target_compile_definitions(msgpack_cxx INTERFACE MSGPACK_NO_BOOST)
+
+# Bullet in double: its flags say BT_USE_DOUBLE_PRECISION to whoever links it. The float libraries
+# have the same symbols, so this is the only way in.
+add_library(bullet_double ALIAS PkgConfig::bullet_float64)

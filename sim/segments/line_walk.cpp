@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "sim/segments/hit_choice.h"
+
 namespace eod::sim {
 namespace {
 
@@ -21,10 +23,11 @@ class Walk {
         query_(query),
         choice_(choice),
         memory_(memory),
+        farthest_(WantsFarthest(segment)),
         // The farthest hit is the nearest one seen from the end.
-        direction_(choice.farthest() ? Vector3d(-segment.direction) : segment.direction),
-        start_(choice.farthest() ? Vector3d(segment.start + segment.length * segment.direction)
-                                 : segment.start) {
+        direction_(farthest_ ? Vector3d(-segment.direction) : segment.direction),
+        start_(farthest_ ? Vector3d(segment.start + segment.length * segment.direction)
+                         : segment.start) {
     const double reach = start_.lpNorm<Eigen::Infinity>() + tree.reach;
     line_.slack = static_cast<float>(4 * kUnitRoundoff * reach + kEndTolerance);
     for (int axis = 0; axis < 3; ++axis) {
@@ -48,7 +51,7 @@ class Walk {
   float Reach() const {
     double reach = segment_.length + kEndTolerance;
     if (choice_.found() && segment_.hit_rule != HitRule::kAll) {
-      reach = choice_.farthest() ? segment_.length - choice_.range() : choice_.range();
+      reach = farthest_ ? segment_.length - choice_.range() : choice_.range();
     }
     return static_cast<float>(reach * (1 + 2 * kUnitRoundoff) + kEndTolerance);
   }
@@ -59,6 +62,7 @@ class Walk {
   int query_;
   TriangleChoice& choice_;
   CastMemory& memory_;
+  bool farthest_;
   Vector3d direction_, start_;
   Line line_{};
   std::array<Waiting, kMaxWaiting> waiting_;

@@ -1,6 +1,7 @@
 #include "sim/segments/triangle_choice.h"
 
 #include "sim/segments/exact_test.h"
+#include "sim/segments/hit_choice.h"
 
 namespace eod::sim {
 
@@ -13,11 +14,16 @@ void TriangleChoice::Offer(const BlockTree& tree, size_t block, int place, int q
   if (query_->hit_rule == HitRule::kAll) {
     memory.all.push_back({query, HitAt(tree, block, place, *range)});
   }
+  const double rank = Rank(*query_, *range);
+  const Surface& surface = tree.SurfaceOf(block, place);
   const int triangle = tree.triangles[block * kBlockSize + static_cast<size_t>(place)].triangle;
-  const bool better = !found() || (farthest_ ? *range > range_ : *range < range_) ||
-                      (*range == range_ && triangle < triangle_);
+  const bool better = !found() || rank < rank_ ||
+                      (rank == rank_ && (surface.object != object_ ? surface.object < object_
+                                                                   : triangle < triangle_));
   if (!better) return;
+  rank_ = rank;
   range_ = *range;
+  object_ = surface.object;
   triangle_ = triangle;
   block_ = block;
   place_ = place;

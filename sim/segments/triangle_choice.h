@@ -6,19 +6,16 @@
 namespace eod::sim {
 
 /// The triangle that answers a query, as far as triangles have been looked at. Does not depend on
-/// the order in which they come: of equal ranges, the triangle that was loaded first wins.
+/// the order in which they come: see IsPreferred.
 class TriangleChoice {
  public:
   TriangleChoice() = default;
-  explicit TriangleChoice(const SegmentQuery& query)
-      : query_(&query), farthest_(query.hit_rule == HitRule::kHighest && query.direction.z() > 0) {}
+  explicit TriangleChoice(const SegmentQuery& query) : query_(&query) {}
 
   /// Decides a candidate, of a class that the query looks for, exactly and keeps it if the query's
   /// rules prefer it.
   void Offer(const BlockTree& tree, size_t block, int place, int query, CastMemory& memory);
 
-  /// Whether the farthest hit is wanted: the highest one of a rising segment.
-  bool farthest() const { return farthest_; }
   bool found() const { return triangle_ >= 0; }
   double range() const { return range_; }
   /// The answer; no hit if nothing was found.
@@ -28,11 +25,11 @@ class TriangleChoice {
   SegmentHit HitAt(const BlockTree& tree, size_t block, int place, double range) const;
 
   const SegmentQuery* query_ = nullptr;
-  double range_ = 0;
+  double rank_ = 0, range_ = 0;
+  int object_ = 0;
   int triangle_ = -1;
   size_t block_ = 0;
   int place_ = 0;
-  bool farthest_ = false;
 };
 
 }  // namespace eod::sim

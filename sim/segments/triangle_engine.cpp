@@ -1,9 +1,8 @@
 #include "sim/segments/triangle_engine.h"
 
-#include <algorithm>
 #include <atomic>
-#include <cmath>
 
+#include "sim/segments/hit_choice.h"
 #include "sim/segments/line_walk.h"
 #include "sim/segments/packet_cast.h"
 
@@ -21,15 +20,6 @@ uint64_t NextRevision() {
   return ++revisions;
 }
 
-bool IsValid(const SegmentQuery& query) {
-  // NaN and infinity fail every comparison that they are in.
-  constexpr double kFarthest = 1e6;
-  const Vector3d &start = query.start, &d = query.direction;
-  return std::abs(d.x() * d.x() + d.y() * d.y() + d.z() * d.z() - 1) <= 2e-6 && query.length >= 0 &&
-         query.length <= kFarthest && std::abs(start.x()) <= kFarthest &&
-         std::abs(start.y()) <= kFarthest && std::abs(start.z()) <= kFarthest;
-}
-
 bool IsShort(const SegmentQuery& query) { return query.length <= TriangleEngine::kShort; }
 
 bool GoTogether(const SegmentQuery& one, const SegmentQuery& other) {
@@ -40,20 +30,11 @@ bool GoTogether(const SegmentQuery& one, const SegmentQuery& other) {
 AlignedBox3d BoxOfShort(std::span<const SegmentQuery> queries) {
   AlignedBox3d box;
   for (const SegmentQuery& query : queries) {
-    if (!IsValid(query) || !IsShort(query)) continue;
+    if (!IsCastable(query) || !IsShort(query)) continue;
     box.extend(query.start);
     box.extend(Vector3d(query.start + query.length * query.direction));
   }
   return box;
-}
-
-/// By query, then range; of equal ranges, what was loaded first.
-void Sort(std::vector<ListedHit>& all) {
-  std::sort(all.begin(), all.end(), [](const ListedHit& one, const ListedHit& other) {
-    if (one.query != other.query) return one.query < other.query;
-    if (one.hit.range != other.hit.range) return one.hit.range < other.hit.range;
-    return one.hit.triangle < other.hit.triangle;
-  });
 }
 
 }  // namespace
@@ -75,7 +56,7 @@ void TriangleEngine::Cast(std::span<const SegmentQuery> queries, std::span<Segme
   memory.all.clear();
   for (size_t i = 0; i < queries.size();) {
     hits[i] = SegmentHit{};
-    if (!IsValid(queries[i])) {
+    if (!IsCastable(queries[i])) {
       ++memory.counters.rejected;
       ++i;
     } else if (!IsShort(queries[i])) {
@@ -84,14 +65,14 @@ void TriangleEngine::Cast(std::span<const SegmentQuery> queries, std::span<Segme
     } else {
       size_t end = i + 1;
       while (end < queries.size() && end < i + kLanes && GoTogether(queries[i], queries[end]) &&
-             IsShort(queries[end]) && IsValid(queries[end])) {
+             IsShort(queries[end]) && IsCastable(queries[end])) {
         hits[end++] = SegmentHit{};
       }
       CastShort(queries, i, end, hits, memory);
       i = end;
     }
   }
-  if (!memory.all.empty()) Sort(memory.all);
+  if (!memory.all.empty()) SortListed(memory);
 }
 
 void TriangleEngine::CastLong(const SegmentQuery& query, size_t index, SegmentHit& hit,

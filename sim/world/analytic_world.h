@@ -5,20 +5,25 @@
 
 #include <Eigen/Geometry>
 
+#include "sim/segments/movable_shapes.h"
 #include "sim/world/world.h"
 
 namespace eod::sim {
 
-/// World of exact shapes: infinite planes and boxes. For tests that derive their numbers, and as
-/// the second form behind the seam.
+/// World of exact shapes and infinite planes. For tests that derive their numbers, and as the
+/// second form behind the seam.
 class AnalyticWorld final : public World {
  public:
-  /// Half-space below the plane through `point` with the unit normal `n_M`.
-  void AddPlane(std::string name, uint32_t class_mask, const Eigen::Vector3d& point,
-                const Eigen::Vector3d& n_M);
+  /// Half-space below the plane through `point` with the unit normal `n_M`. Each of these returns
+  /// the number of the object, from 0 up.
+  int AddPlane(std::string name, uint32_t class_mask, const Eigen::Vector3d& point,
+               const Eigen::Vector3d& n_M);
   /// Box of whole lengths `size`, centred on X_MB.
-  void AddBox(std::string name, uint32_t class_mask, const Eigen::Isometry3d& X_MB,
-              const Eigen::Vector3d& size);
+  int AddBox(std::string name, uint32_t class_mask, const Eigen::Isometry3d& X_MB,
+             const Eigen::Vector3d& size);
+  int AddShape(std::string name, uint32_t class_mask, const Eigen::Isometry3d& X_MO, Shape shape);
+  /// Moves a box or shape; false if `object` is none. Not while others cast.
+  bool Move(int object, const Eigen::Isometry3d& X_MO);
 
   void Cast(std::span<const SegmentQuery> queries, std::span<SegmentHit> hits,
             CastMemory& memory) const override;
@@ -30,18 +35,13 @@ class AnalyticWorld final : public World {
     uint32_t class_mask;
     Eigen::Vector3d point, normal;
   };
-  struct Box {
-    int object;
-    uint32_t class_mask;
-    Eigen::Isometry3d X_MB;
-    Eigen::Vector3d half;
-  };
-  static void Meet(const Plane& plane, const SegmentQuery& query, SegmentHit& best);
-  static void Meet(const Box& box, const SegmentQuery& query, SegmentHit& best);
+  int NewObject(std::string name);
+  void MeetPlanes(size_t index, const SegmentQuery& query, SegmentHit& best,
+                  CastMemory& memory) const;
 
   std::vector<std::string> names_;
   std::vector<Plane> planes_;
-  std::vector<Box> boxes_;
+  MovableShapes shapes_;
 };
 
 }  // namespace eod::sim

@@ -46,6 +46,7 @@ class CheckHouse(unittest.TestCase):
             "sim/camera/sky.cpp": "#include <GL/gl.h>\n",
             "sim/sdf/reader.cpp": "#include <sdf/sdf.hh>\n",
             "lockstep/rig.cpp": '#include <lcm/lcm-cpp.hpp>\n\n#include "canbridge/bridge.h"\n',
+            "sim/world/other.cpp": "#include <btBulletCollisionCommon.h>\n",
             "canbridge/describe.cpp": '#include "lcmtypes/channels.h"\n',
             "platform/clock.cpp": "#include <csignal>\n\nauto now = std::chrono::steady_clock::now();\n",
             "programs/eod_sim.cpp": '#include "lockstep/rig.h"\n\nint main() {}\n',
@@ -95,6 +96,11 @@ class CheckHouse(unittest.TestCase):
         self.assert_violation(
             {"sim/robot/a.cpp": "#include <GL/osmesa.h>\n"},
             "sim/robot/a.cpp:1: only sim/camera includes OpenGL: GL/osmesa.h")
+        self.assert_violation(
+            {"sim/segments/a.cpp": "#include <LinearMath/btVector3.h>\n"
+                                   "#include <btBulletCollisionCommon.h>\n"},
+            "sim/segments/a.cpp:1: only sim/world includes Bullet: LinearMath/btVector3.h",
+            "sim/segments/a.cpp:2: only sim/world includes Bullet: btBulletCollisionCommon.h")
         self.assert_violation(
             {"canbridge/bridge.cpp": '#include <lcm/lcm-cpp.hpp>\n\n#include "eod/alarm_t.hpp"\n'},
             "canbridge/bridge.cpp:1: only nodes, programs, lockstep, recorder and tests include LCM: "

@@ -1,0 +1,51 @@
+#include "sim/world/built_world.h"
+
+#include <utility>
+
+namespace eod::sim {
+
+namespace {
+
+const std::string kNoName;
+
+}  // namespace
+
+BuiltWorld::BuiltWorld(const ModuleModel& module, InstructionSet instruction_set)
+    : triangles_(module.triangles, instruction_set) {
+  for (const WorldObject& object : module.objects) names_.push_back(object.name);
+}
+
+void BuiltWorld::Cast(std::span<const SegmentQuery> queries, std::span<SegmentHit> hits,
+                      CastMemory& memory) const {
+  triangles_.Cast(queries, hits, memory);
+  if (shapes_.size() > 0) shapes_.Cast(queries, hits, memory);
+}
+
+const std::string& BuiltWorld::ObjectName(int object) const {
+  const auto index = static_cast<size_t>(object);
+  return object < 0 || index >= names_.size() ? kNoName : names_[index];
+}
+
+int BuiltWorld::AddShape(std::string name, uint32_t class_mask, Shape shape,
+                         const Eigen::Isometry3d& X_MO) {
+  const auto object = static_cast<int>(names_.size());
+  names_.push_back(std::move(name));
+  shapes_.Add(object, class_mask, std::move(shape), X_MO);
+  return object;
+}
+
+bool BuiltWorld::Move(int object, const Eigen::Isometry3d& X_MO) {
+  return shapes_.Move(object, X_MO);
+}
+
+bool BuiltWorld::Remove(int object) { return shapes_.Remove(object); }
+
+void BuiltWorld::Rebuild(std::span<const CollisionTriangle> triangles) {
+  triangles_.Rebuild(triangles);
+}
+
+std::unique_ptr<World> BuildWorld(const ModuleModel& module, InstructionSet instruction_set) {
+  return std::make_unique<BuiltWorld>(module, instruction_set);
+}
+
+}  // namespace eod::sim
