@@ -41,21 +41,21 @@ std::string Megabytes(int64_t bytes) {
 
 std::string ShortLineTable(const SizeResult& result) {
   std::string text =
-      fmt::format("{:<14}{:>9}{:>8}{:>8}{:>10}{:>8}{:>8}{:>12}{:>9}{:>9}\n", "", "ns/line", "",
+      fmt::format("{:<15}{:>9}{:>8}{:>8}{:>10}{:>8}{:>9}{:>13}{:>9}{:>9}\n", "", "ns/line", "",
                   "times", "us/frame", "", "worst", "worst,", "build", "memory");
   text +=
-      fmt::format("{:<14}{:>9}{:>8}{:>8}{:>10}{:>8}{:>8}{:>12}{:>9}{:>9}\n", "short lines", "best",
+      fmt::format("{:<15}{:>9}{:>8}{:>8}{:>10}{:>8}{:>9}{:>13}{:>9}{:>9}\n", "short lines", "best",
                   "median", "ours", "best", "median", "frame", "undisturbed", "s", "MB");
   const double ours = OursBest(result, &EngineResult::short_lines);
   for (const EngineResult& engine : result.engines) {
     if (engine.outcome != Outcome::kMeasured) {
-      text += fmt::format("{:<14}  {}\n", engine.spec.name, WhyNot(engine));
+      text += fmt::format("{:<15}  {}\n", engine.spec.name, WhyNot(engine));
       continue;
     }
     const DriveTimes& times = engine.short_lines;
     const double best = times.ns_per_line(times.best_us());
     text += fmt::format(
-        "{:<14}{:>9.1f}{:>8.1f}{:>8}{:>10.2f}{:>8.2f}{:>8.1f}{:>12.1f}{:>9.3f}{:>9}{}\n",
+        "{:<15}{:>9.1f}{:>8.1f}{:>8}{:>10.2f}{:>8.2f}{:>9.1f}{:>13.1f}{:>9.3f}{:>9}{}\n",
         engine.spec.name, best, times.ns_per_line(times.median_us()), Times(best, ours),
         times.best_us(), times.median_us(), times.worst_frame_us, times.worst_undisturbed_us(),
         engine.build_s, Megabytes(engine.bytes),
@@ -71,9 +71,9 @@ std::string Wrong(const Verdict& verdict) {
 /// Lines of sight, and what every engine got wrong.
 std::string SightAndVerdictTable(const SizeResult& result) {
   std::string text =
-      fmt::format("{:<14}{:>9}{:>8}{:>8}   {:>12}{:>12}{:>14}{:>14}{:>14}\n", "", "ns/line", "",
+      fmt::format("{:<15}{:>10}{:>10}{:>8}{:>12}{:>11}{:>17}{:>14}{:>14}\n", "", "ns/line", "",
                   "times", "wrong on", "wrong at", "wrong in", "worst short", "worst sight");
-  text += fmt::format("{:<14}{:>9}{:>8}{:>8}   {:>12}{:>12}{:>14}{:>14}{:>14}\n", "lines of sight",
+  text += fmt::format("{:<15}{:>10}{:>10}{:>8}{:>12}{:>11}{:>17}{:>14}{:>14}\n", "lines of sight",
                       "best", "median", "ours", "the path", "edges", "lines of sight", "error um",
                       "error um");
   const double ours = OursBest(result, &EngineResult::sight_lines);
@@ -81,14 +81,14 @@ std::string SightAndVerdictTable(const SizeResult& result) {
     if (engine.outcome != Outcome::kMeasured) continue;
     const DriveTimes& times = engine.sight_lines;
     if (times.round_us.empty()) {
-      text += fmt::format("{:<14}{:>9}{:>8}{:>8}   {:>12}{:>12}{:>14}{:>14.1f}{:>14}\n",
+      text += fmt::format("{:<15}{:>10}{:>10}{:>8}{:>12}{:>11}{:>17}{:>14.1f}{:>14}\n",
                           engine.spec.name, "-", "-", "-", Wrong(engine.on_path), "-", "-",
                           engine.on_path.worst_error_um, "-");
       continue;
     }
     const double best = times.ns_per_line(times.best_us());
     text +=
-        fmt::format("{:<14}{:>9.1f}{:>8.1f}{:>8}   {:>12}{:>12}{:>14}{:>14.1f}{:>14.1f}\n",
+        fmt::format("{:<15}{:>10.1f}{:>10.1f}{:>8}{:>12}{:>11}{:>17}{:>14.1f}{:>14.1f}\n",
                     engine.spec.name, best, times.ns_per_line(times.median_us()), Times(best, ours),
                     Wrong(engine.on_path), Wrong(engine.at_edges), Wrong(engine.in_sight),
                     std::max(engine.on_path.worst_error_um, engine.at_edges.worst_error_um),

@@ -19,7 +19,7 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr int64_t kFewest = 10000;  // so that houses find room outside the site
-constexpr int64_t kBoxTriangles = 12;
+constexpr size_t kBoxTriangles = 12;
 constexpr double kModuleHalf = 1500;  // [m] the largest module that a world file may have
 
 /// The terrain as a grid of cells; its triangles never outnumber what it was made for.
@@ -36,7 +36,6 @@ struct Grid {
     // As far as it goes round the site, and never out of the module.
     middle = kSiteCentre.cwiseMin(Vector2d::Constant(kModuleHalf) - size / 2);
   }
-  int64_t triangles() const { return int64_t{2} * columns * rows; }
 };
 
 void AddTerrain(const Grid& grid, sim::ModuleModel& module) {
@@ -51,7 +50,7 @@ void AddTerrain(const Grid& grid, sim::ModuleModel& module) {
 }
 
 /// One in ten is as large as a house, the others as a crate or a car.
-void AddBoxSomewhere(const Grid& grid, sim::SeededNumbers& numbers, sim::ModuleModel& module) {
+sim::Mesh BoxSomewhere(const Grid& grid, sim::SeededNumbers& numbers) {
   const Isometry3d X_SM = SitePose().inverse();
   const bool house = numbers.Below(10) == 0;
   const double low = house ? 3 : 0.3, high = house ? 10 : 3;
@@ -68,8 +67,17 @@ void AddBoxSomewhere(const Grid& grid, sim::SeededNumbers& numbers, sim::ModuleM
   } while (std::abs(p_S.x()) < kSiteHalfU + reach && std::abs(p_S.y()) < kSiteHalfV + reach);
   X_MO.translation().z() = GroundHeight(X_MO.translation().x(), X_MO.translation().y());
   X_MO.rotate(Eigen::AngleAxisd(numbers.Between(0, std::numbers::pi), Vector3d::UnitZ()));
-  sim::AddObject(module, house ? "house" : "box", kSceneClass,
-                 sim::Transformed(X_MO, sim::BoxMesh(size)));
+  return sim::Transformed(X_MO, sim::BoxMesh(size));
+}
+
+/// Boxes until there are `triangles`; the last one stays open where a whole one were too many.
+void FillWithBoxes(const Grid& grid, size_t triangles, sim::ModuleModel& module) {
+  sim::SeededNumbers numbers(10067311);
+  while (module.triangles.size() < triangles) {
+    sim::Mesh box = BoxSomewhere(grid, numbers);
+    box.resize(std::min(kBoxTriangles, triangles - module.triangles.size()));
+    sim::AddObject(module, "box", kSceneClass, std::move(box));
+  }
 }
 
 }  // namespace
@@ -92,9 +100,7 @@ Scene MakeScene(int64_t triangles) {
   const Grid grid(triangles - site - triangles / 20, scene.terrain_density);
   scene.terrain_size = grid.size;
   AddTerrain(grid, module);
-  sim::SeededNumbers numbers(10067311);
-  while (static_cast<int64_t>(module.triangles.size()) + kBoxTriangles <= triangles)
-    AddBoxSomewhere(grid, numbers, module);
+  FillWithBoxes(grid, static_cast<size_t>(triangles), module);
   return scene;
 }
 

@@ -10,7 +10,7 @@ namespace eod::bench {
 /// class masks have the same task.
 inline constexpr uint32_t kSceneClass = sim::kModuleOutdoor | sim::kClampProxy | sim::kBumpProxy;
 
-/// An outdoor module of about N triangles: rolling terrain as a grid of PlaneMesh, the site of
+/// An outdoor module of N triangles: rolling terrain as a grid of PlaneMesh, the site of
 /// SiteObjects, and boxes and buildings at random round it (a twentieth of the triangles).
 ///
 /// Of each factor of ten in N a factor of five goes into area and two into density, as with a
@@ -23,7 +23,7 @@ struct Scene {
   Eigen::Vector2d terrain_size = Eigen::Vector2d::Zero();  ///< [m]
 };
 
-/// Between N and N - 11 triangles; the same bits for the same N. `triangles` is 10000 or more;
+/// Exactly so many triangles; the same bits for the same number. `triangles` is 10000 or more;
 /// throws std::invalid_argument.
 Scene MakeScene(int64_t triangles);
 

@@ -75,16 +75,23 @@ void AddStairs(std::vector<SiteObject>& objects) {
   const double length = kLandingFrom - kLandingTo, middle = (kLandingFrom + kLandingTo) / 2;
   objects.push_back(
       Place({"landing", {middle, kLoopV}, {length, 2 * kStairsHalfWidth}, base, kSteps * kRise}));
-  // A wall on the outside all along, and the posts of a railing on the inside.
+  // A wall on the outside all along, a railing on the inside of the landing.
   objects.push_back(Place({"stairs_wall", {1.34, kLoopV + 0.55}, {9.6, 0.1}, base, 2.6}));
-  for (double u = kLandingTo; u <= kLandingFrom; u += 0.4) {
+  for (double u = kLandingTo; u <= kLandingFrom; u += 0.4)
     objects.push_back(Place({"post", {u, kLoopV - 0.5}, {0.05, 0.05}, base, 2.3}));
-  }
+  objects.push_back(Place({.name = "rail",
+                           .middle = {middle, kLoopV - 0.45},
+                           .size = {length, 0.05},
+                           .level = base,
+                           .top = 1.6,
+                           .bottom = 1.3}));
 }
 
-/// South side, driven in +U: a wall close on the right, then a gate, then a kerb.
+/// South side, driven in +U: a wall close on the right, for a while one on the left too, a gate,
+/// two kerbs.
 void AddSouth(std::vector<SiteObject>& objects) {
   objects.push_back(Stand("wall", {-2.75, -kLoopV - 0.55}, {10, 0.2}, 2.5));
+  objects.push_back(Stand("wall", {-4.5, -kLoopV + 0.55}, {5, 0.2}, 1.2));
   for (const double side : {-0.58, 0.58})
     objects.push_back(Stand("gate_post", {3.2, -kLoopV + side}, {0.2, 0.2}, 1.8));
   objects.push_back(Stand("kerb", {6, -kLoopV - 0.48}, {3.6, 0.15}, 0.18));
