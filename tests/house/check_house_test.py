@@ -50,6 +50,7 @@ class CheckHouse(unittest.TestCase):
             "canbridge/describe.cpp": '#include "lcmtypes/channels.h"\n',
             "platform/clock.cpp": "#include <csignal>\n\nauto now = std::chrono::steady_clock::now();\n",
             "programs/eod_sim.cpp": '#include "lockstep/rig.h"\n\nint main() {}\n',
+            "tests/bench/peer.cpp": "#include <embree3/rtcore.h>\n#include <osg/Node>\n",
             "tests/unit/x_test.cpp": '#include <poll.h>\n\n#include "programs/options.h"\n',
             "dbc/a.cpp": "// steady_clock is only named here\n",
         })
@@ -101,6 +102,12 @@ class CheckHouse(unittest.TestCase):
                                    "#include <btBulletCollisionCommon.h>\n"},
             "sim/segments/a.cpp:1: only sim/world includes Bullet: LinearMath/btVector3.h",
             "sim/segments/a.cpp:2: only sim/world includes Bullet: btBulletCollisionCommon.h")
+        self.assert_violation(
+            {"sim/world/a.cpp": "#include <embree3/rtcore.h>\n#include <osgSim/LineOfSight>\n"},
+            "sim/world/a.cpp:1: only tests/bench includes Embree and OpenSceneGraph: "
+            "embree3/rtcore.h",
+            "sim/world/a.cpp:2: only tests/bench includes Embree and OpenSceneGraph: "
+            "osgSim/LineOfSight")
         self.assert_violation(
             {"canbridge/bridge.cpp": '#include <lcm/lcm-cpp.hpp>\n\n#include "eod/alarm_t.hpp"\n'},
             "canbridge/bridge.cpp:1: only nodes, programs, lockstep, recorder and tests include LCM: "

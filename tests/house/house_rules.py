@@ -66,6 +66,8 @@ PRIVILEGES = (
     Privilege("only sim/camera includes OpenGL", r"sim/camera/|tests/", headers=r"(GL|GLES\d?|EGL)/"),
     Privilege("only sim/world includes Bullet", r"sim/world/|tests/bench/",
               headers=r"(bullet/|Bullet(Collision|Dynamics|SoftBody)/|LinearMath/|bt[A-Z])"),
+    Privilege("only tests/bench includes Embree and OpenSceneGraph", r"tests/bench/",
+              headers=r"(embree\d*|osg[A-Za-z]*|OpenThreads)/"),
     Privilege("only nodes, programs, lockstep, recorder and tests include LCM",
               r"(.*/)?[a-z_]+_node\.(h|cpp)$|programs/|platform/lcm_station\.|platform/run_node\.h$|"
               r"lockstep/|recorder/|tests/", headers=r"lcm/|lcmtypes/|eod/|.*_t\.hpp$"),
