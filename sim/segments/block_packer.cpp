@@ -104,16 +104,6 @@ void BlockPacker::Finish() {
   tree_.vertices.shrink_to_fit();
 }
 
-Triangle BlockTree::Corners(size_t block, int place) const {
-  const ExactTriangle& exact = triangles[block * kBlockSize + static_cast<size_t>(place)];
-  const Vector3d* first = &vertices[places[block].first_vertex];
-  return {first[exact.vertex[0]], first[exact.vertex[1]], first[exact.vertex[2]]};
-}
-
-const Surface& BlockTree::SurfaceOf(size_t block, int place) const {
-  return surfaces[triangles[block * kBlockSize + static_cast<size_t>(place)].surface];
-}
-
 size_t BlockTree::Bytes() const {
   return nodes.capacity() * sizeof(Node) + blocks.capacity() * sizeof(Block) +
          places.capacity() * sizeof(BlockPlace) + triangles.capacity() * sizeof(ExactTriangle) +

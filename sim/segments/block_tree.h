@@ -72,8 +72,6 @@ struct BlockTree {
   std::vector<Surface> surfaces;
   double reach = 0;  ///< [m] largest coordinate of all, either sign
 
-  Triangle Corners(size_t block, int place) const;
-  const Surface& SurfaceOf(size_t block, int place) const;
   size_t Bytes() const;
 };
 

@@ -62,27 +62,39 @@ struct Difference {
   }
 };
 
-/// A side as computed, and how far that can be from the truth.
-struct Side {
-  double value, error;
-  bool sure() const { return std::abs(value) > error; }
-};
-
-struct Weights {
+/// On which sides of the edges a line passes: b c, c a, a b.
+struct Sides {
   double a, b, c;
-  bool mixed() const { return (a < 0 || b < 0 || c < 0) && (a > 0 || b > 0 || c > 0); }
   double sum() const { return a + b + c; }
+  double least() const { return std::min(std::min(a, b), c); }
+  double largest() const { return std::max(std::max(a, b), c); }
+  double smallest() const { return std::min(std::min(std::abs(a), std::abs(b)), std::abs(c)); }
 };
 
-double MaxAbs(const Vector3d& v) {
-  return std::max({std::abs(v.x()), std::abs(v.y()), std::abs(v.z())});
-}
+double Size(const Vector3d& v) { return std::abs(v.x()) + std::abs(v.y()) + std::abs(v.z()); }
 
-Weights ExactWeights(const SegmentQuery& segment, const Vector3d& a, const Vector3d& b,
-                     const Vector3d& c) {
+Sides ExactSides(const SegmentQuery& segment, const Vector3d& a, const Vector3d& b,
+                 const Vector3d& c) {
   const Vector3d &d = segment.direction, &s = segment.start;
   return {ExactSide(d, s, b, c), ExactSide(d, s, c, a), ExactSide(d, s, a, b)};
 }
+
+double Triple(const Vector3d& d, const Vector3d& b, const Vector3d& c) {
+  return d.x() * (b.y() * c.z() - b.z() * c.y()) + d.y() * (b.z() * c.x() - b.x() * c.z()) +
+         d.z() * (b.x() * c.y() - b.y() * c.x());
+}
+
+/// A computed range, and what bounds its error, times the sum of the sides.
+struct Range {
+  double value, edge;
+
+  Range(const Sides& sides, const Vector3d& d, const Vector3d& A, const Vector3d& ab,
+        const Vector3d& ac) {
+    const double to_b = ab.dot(d), to_c = ac.dot(d);
+    value = A.dot(d) + (sides.b * to_b + sides.c * to_c) / sides.sum();
+    edge = std::max(std::abs(to_b), std::abs(to_c));
+  }
+};
 
 }  // namespace
 
@@ -110,46 +122,35 @@ double ExactSide(const Vector3d& d, const Vector3d& s, const Vector3d& b, const 
 std::optional<double> Meet(const SegmentQuery& segment, const Vector3d& a, const Vector3d& b,
                            const Vector3d& c) {
   const Vector3d& d = segment.direction;
+  const bool front_only = segment.face_rule == FaceRule::kFrontOnly;
   const Vector3d A = a - segment.start, B = b - segment.start, C = c - segment.start;
-  const double size_a = MaxAbs(A), size_b = MaxAbs(B), size_c = MaxAbs(C);
-  const Side sides[3] = {{d.dot(B.cross(C)), kSideError * size_b * size_c},
-                         {d.dot(C.cross(A)), kSideError * size_c * size_a},
-                         {d.dot(A.cross(B)), kSideError * size_a * size_b}};
-  bool sure_positive = false, sure_negative = false, all_sure = true;
-  for (const Side& side : sides) {
-    sure_positive |= side.value > side.error;
-    sure_negative |= side.value < -side.error;
-    all_sure &= side.sure();
-  }
-  if (sure_positive && (sure_negative || segment.face_rule == FaceRule::kFrontOnly)) {
-    return std::nullopt;
-  }
-  Weights weights = all_sure ? Weights{sides[0].value, sides[1].value, sides[2].value}
-                             : ExactWeights(segment, a, b, c);
+  Sides sides = {Triple(d, B, C), Triple(d, C, A), Triple(d, A, B)};
+  const double size = std::max(std::max(Size(A), Size(B)), Size(C));
+  const double error = kSideError * size * size;
   // Positive sides: the line leaves through the back.
-  const auto passes = [&] {
-    return weights.mixed() || weights.sum() == 0 ||
-           (segment.face_rule == FaceRule::kFrontOnly && weights.sum() > 0);
-  };
-  if (passes()) return std::nullopt;
+  if (sides.largest() > error && (front_only || sides.least() < -error)) return std::nullopt;
 
-  const double at_a = A.dot(d), to_b = (b - a).dot(d), to_c = (c - a).dot(d);
-  const auto range_of = [&] {
-    return at_a + (weights.b * to_b + weights.c * to_c) / weights.sum();
-  };
-  double range = range_of();
-  if (all_sure) {
-    const double size = std::max({size_a, size_b, size_c});
-    const double edge = std::max(std::abs(to_b), std::abs(to_c));
-    const double error = 3 * kSideError * size * size * edge / std::abs(weights.sum());
-    const double to_end = std::min(std::abs(range), std::abs(range - segment.length));
-    if (error > kRangeError || (error > kEndError && to_end < error + 2 * kEndTolerance)) {
-      weights = ExactWeights(segment, a, b, c);
-      range = range_of();
+  bool exact = !(sides.smallest() > error);
+  if (exact) {
+    sides = ExactSides(segment, a, b, c);
+    const bool mixed = sides.least() < 0 && sides.largest() > 0;
+    if (mixed || sides.sum() == 0 || (front_only && sides.sum() > 0)) return std::nullopt;
+  }
+  const Vector3d ab = b - a, ac = c - a;
+  Range range(sides, d, A, ab, ac);
+  if (!exact) {
+    const double doubt = 3 * error * range.edge, sum = std::abs(sides.sum());
+    if (doubt > kEndError * sum) {
+      const double to_end = std::min(std::abs(range.value), std::abs(range.value - segment.length));
+      if (doubt > std::min(kRangeError, std::max(to_end - 2 * kEndTolerance, kEndError)) * sum) {
+        range = Range(ExactSides(segment, a, b, c), d, A, ab, ac);
+      }
     }
   }
-  if (!(range >= -kEndTolerance && range <= segment.length + kEndTolerance)) return std::nullopt;
-  return std::clamp(range, 0.0, segment.length);
+  if (!(range.value >= -kEndTolerance && range.value <= segment.length + kEndTolerance)) {
+    return std::nullopt;
+  }
+  return std::clamp(range.value, 0.0, segment.length);
 }
 
 }  // namespace eod::sim

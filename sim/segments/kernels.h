@@ -9,26 +9,30 @@ namespace eod::sim {
 /// What the arithmetic runs on. Every set gives the same candidates and so the same hits.
 enum class InstructionSet : uint8_t {
   kPlain,  ///< what every processor of this kind has: SSE2 on x86-64, plain C++ elsewhere
-  kAvx2,
+  kAvx2,   ///< and the bit manipulation of the same processors: Haswell, Zen and later
 };
 
 /// The widest set that this processor has.
 InstructionSet BestInstructionSet();
 
-/// Up to eight segments that are culled together, relative to one origin, in float [m].
+/// Up to eight segments that are culled together, relative to one origin, in float [m]. They stand
+/// in pairs: segments 0 and 1, 2 and 3 and so on, at places that are four apart.
 struct alignas(32) SegmentPacket {
   float start[3][8];
   float way[3][8];  ///< from start to end
-  float low[3];     ///< box round all of them, rounded outwards
+  /// Boxes round the pairs, rounded outwards: the six lines of a BUMP are three thin boxes in a
+  /// thick one.
+  float pair_low[3][4];
+  float pair_high[3][4];
+  float low[3];  ///< box round all of them, rounded outwards
   float high[3];
-  /// Boxes round places 0 and 1, 2 and 3 and so on, rounded outwards: the six lines of a BUMP are
-  /// three thin boxes in a thick one.
-  float pair_low[4][3];
-  float pair_high[4][3];
-  float longest = 0;   ///< length of the longest way
-  float diagonal = 0;  ///< of the box
-  int pairs = 0;       ///< boxes in use
-  uint32_t lanes = 0;  ///< bit i: place i is used
+  float longest = 0;    ///< length of the longest way
+  float diagonal = 0;   ///< of the box
+  int pairs = 0;        ///< in use
+  uint32_t places = 0;  ///< bit i: place i is in use
+
+  static constexpr int PlaceOf(int segment) { return segment / 2 + 4 * (segment % 2); }
+  static constexpr int SegmentAt(int place) { return 2 * (place % 4) + place / 4; }
 };
 
 /// One long segment, in float, with what a slab test needs.
@@ -45,10 +49,62 @@ struct LinePiece {
   float way_length;
 };
 
-/// A triangle of a block, and the segments of a packet that may meet it.
+/// Bounds of the rounding errors in the test of a segment and a triangle, by Moller and Trumbore:
+/// of its sides and determinant L (side[0] D + side[1]), of its range that and range[0] D +
+/// range[1], where L is the length of the segment and D how far it starts from the triangle [m].
+struct SlackTerms {
+  float side[2];
+  float range[2];
+
+  /// For triangles with edges up to `edge` [m], every coordinate difference wrong by up to `error`
+  /// [m].
+  static constexpr SlackTerms Of(float edge, float error) {
+    // Unit roundoff of float times the operations of a triple product, and something to spare.
+    constexpr float kRounding = 16 * 6e-8F;
+    // A corner may be farther than the triangle by its edge, and by the errors of both.
+    const float more = edge + 2 * error;
+    const float side = error + kRounding * edge;
+    const float range = edge * (2 * error + kRounding * edge);
+    return {{side, side * more + edge * (5 * error + 2 * kRounding * edge)},
+            {range, range * more + edge * edge * error}};
+  }
+};
+
+/// A block near a reader.
+struct NearBlock {
+  int32_t block;       ///< in BlockTree::blocks
+  uint32_t classes;    ///< class mask of its triangles
+  uint32_t triangles;  ///< bit by bit: places in use
+  float offset[3];     ///< [m] of its origin from the reader's
+  float low[3];        ///< [m] offset less the error of all coordinates in a test
+  float high[3];       ///< [m] offset plus that error
+  SlackTerms slack;
+};
+
+/// A box of a list that a packet comes near, and which of its pairs do: bit 8 i for pair i.
+struct NearBox {
+  int32_t index;
+  uint32_t pairs;
+};
+
+/// A triangle of a block, and the places of a packet whose segments may meet it.
 struct Candidate {
-  uint8_t place;
-  uint8_t lanes;
+  int32_t box;       ///< index in the list that was tested
+  int16_t triangle;  ///< place in the block
+  int16_t places;    ///< bit by bit
+};
+
+/// What a packet's way through many blocks at once takes.
+struct PacketWork {
+  static constexpr int kMostBoxes = 64;  ///< near boxes at once
+  struct Near {
+    const float* corner;  ///< first coordinate of its first corner
+    int32_t box;
+    int32_t triangle;  ///< place in the block
+  };
+  float side_slack[kMostBoxes], range_slack[kMostBoxes];
+  Near near[kMostBoxes * kBlockSize];
+  Candidate candidates[kMostBoxes * kBlockSize];
 };
 
 /// Boxes of many blocks, coordinate by coordinate, padded to a multiple of 8 by boxes that nothing
@@ -59,21 +115,32 @@ struct BoxColumns {
   int count = 0;  ///< a multiple of 8
 };
 
+/// A segment's numbers: start, direction and length one after the other, as they begin a
+/// SegmentQuery.
+struct SegmentNumbers {
+  static constexpr int kStart = 0, kDirection = 3, kLength = 6;
+};
+
 /// The arithmetic of one instruction set. All tests are conservative: rounding never loses a
 /// candidate, the exact test decides.
 struct Kernels {
-  /// Indices of the boxes that meet a pair of the packet; returns how many. `found` has room for
-  /// all.
-  int (*OverlappingBoxes)(const BoxColumns& boxes, const SegmentPacket& packet, int32_t* found);
+  /// Fills a packet with 1..8 segments of short length, relative to `origin` (x, y, z and any
+  /// number), and grows its boxes by `margin` [m]. `segments` points to SegmentNumbers, one a
+  /// place; unused places repeat their partner, or the first segment. False, and no packet, if any
+  /// of them is not finite, not unit to 1e-6 or of negative length.
+  bool (*Pack)(const double* const* segments, int count, const double* origin, float margin,
+               SegmentPacket& packet);
+  /// Boxes that meet a pair of the packet; returns how many. `found` has room for all.
+  int (*OverlappingBoxes)(const BoxColumns& boxes, const SegmentPacket& packet, NearBox* found);
   /// Bit mask of the node's children that meet the box low..high.
   uint32_t (*OverlappingChildren)(const Node& node, const float* low, const float* high);
   /// Bit mask of the children that the line enters before `reach`, and where.
   uint32_t (*EnteredChildren)(const Node& node, const Line& line, float reach, float* enter);
-  /// Triangles of the block that the packet's segments may meet; returns how many, at most 16.
-  /// `offset` is the block's origin relative to the packet's, `error` [m] bounds the rounding of
-  /// all coordinates involved. `tested` counts triangles offered, times segments.
-  int (*TestPacket)(const Block& block, const BlockPlace& place, const SegmentPacket& packet,
-                    const float* offset, float error, Candidate* found, uint64_t& tested);
+  /// Triangles that the packet's segments may meet in the near boxes, which are `count` <=
+  /// PacketWork::kMostBoxes; returns how many entries of `work.candidates` were filled. `tested`
+  /// counts triangles offered, times segments.
+  int (*TestPacket)(const Block* blocks, const NearBlock* near, const NearBox* boxes, int count,
+                    const SegmentPacket& packet, PacketWork& work, uint64_t& tested);
   /// Bit mask of the block's triangles that the line may meet.
   uint32_t (*TestLine)(const Block& block, const BlockPlace& place, const LinePiece& line,
                        float error);

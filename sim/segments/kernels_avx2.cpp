@@ -2,7 +2,7 @@
 
 namespace eod::sim {
 
-const Kernels kAvx2Kernels = {OverlappingBoxes, OverlappingChildren, EnteredChildren, TestPacket,
-                              TestLine};
+const Kernels kAvx2Kernels = {Pack,       OverlappingBoxes, OverlappingChildren, EnteredChildren,
+                              TestPacket, TestLine};
 
 }  // namespace eod::sim

@@ -9,25 +9,10 @@
 namespace eod::sim {
 namespace {
 
-/// Unit roundoff of float times the operations of a triple product, and something to spare.
-constexpr float kRounding = 16 * 6e-8F;
-
 /// Bounds of the rounding errors in the segment-triangle test.
 struct Slack {
-  Lanes side;   ///< of u, v and the determinant
-  Lanes range;  ///< of t and the determinant
-
-  /// Ways up to `way` long, edges up to `edge`, starts up to `reach` from a corner, every
-  /// coordinate difference wrong by up to `error` [m].
-  Slack(float way, float edge, float reach, float error)
-      : side(Lanes::All(way * SideOverWay(edge, reach, error))),
-        range(Lanes::All(edge * (2 * reach + edge) * error + kRounding * edge * edge * reach +
-                         way * SideOverWay(edge, reach, error))) {}
-
- private:
-  static float SideOverWay(float edge, float reach, float error) {
-    return (reach + 5 * edge) * error + kRounding * (reach + 2 * edge) * edge;
-  }
+  float side;   ///< of u, v and the determinant
+  float range;  ///< of t and the determinant
 };
 
 /// Lanes whose segment (start, way) may meet the triangle (corner, edges), by Moller and Trumbore,
@@ -44,9 +29,10 @@ inline uint32_t MayMeet(const Points& start, const Points& way, const Points& co
   const Points q = Cross(s, edge_1);
   const Lanes v = Dot(way, q) ^ sign;
   const Lanes t = Dot(edge_2, q) ^ sign;
-  const Lanes least_side = slack.side ^ sign_bit, least_range = slack.range ^ sign_bit;
-  return Bits((least_side <= u) & (least_side <= v) & (u + v <= size + slack.side) &
-              (least_range <= t) & (t <= size + slack.range));
+  const Lanes side = Lanes::All(slack.side), range = Lanes::All(slack.range);
+  const Lanes least_side = Lanes::All(-slack.side), least_range = Lanes::All(-slack.range);
+  return Bits((least_side <= u) & (least_side <= v) & (u + v <= size + side) & (least_range <= t) &
+              (t <= size + range));
 }
 
 /// Boxes low..high that meet the box bottom..top.
@@ -56,35 +42,63 @@ inline Lanes Overlap(const Points& low, const Points& high, const Points& bottom
          (low.z <= top.z) & (bottom.z <= high.z);
 }
 
-/// Triangles of the block, from `at` on, whose boxes meet one of the pairs' boxes.
-inline uint32_t BoxesMeet(const Block& block, int at, const SegmentPacket& packet,
-                          const float* offset, float error) {
-  const Points a = LoadPoints(block.corner[0], at), b = LoadPoints(block.corner[1], at),
-               c = LoadPoints(block.corner[2], at), shift = AllPoints(offset);
-  const Lanes slack = Lanes::All(error);
-  const Points low = {Least(Least(a.x, b.x), c.x) + (shift.x - slack),
-                      Least(Least(a.y, b.y), c.y) + (shift.y - slack),
-                      Least(Least(a.z, b.z), c.z) + (shift.z - slack)};
-  const Points high = {Largest(Largest(a.x, b.x), c.x) + (shift.x + slack),
-                       Largest(Largest(a.y, b.y), c.y) + (shift.y + slack),
-                       Largest(Largest(a.z, b.z), c.z) + (shift.z + slack)};
-  uint32_t bits = 0;
-  for (int pair = 0; pair < packet.pairs; ++pair) {
-    bits |= Bits(
-        Overlap(low, high, AllPoints(packet.pair_low[pair]), AllPoints(packet.pair_high[pair])));
+inline Points PairLow(const SegmentPacket& packet, int pair) {
+  return {Lanes::All(packet.pair_low[0][pair]), Lanes::All(packet.pair_low[1][pair]),
+          Lanes::All(packet.pair_low[2][pair])};
+}
+
+inline Points PairHigh(const SegmentPacket& packet, int pair) {
+  return {Lanes::All(packet.pair_high[0][pair]), Lanes::All(packet.pair_high[1][pair]),
+          Lanes::All(packet.pair_high[2][pair])};
+}
+
+bool Pack(const double* const* segments, int count, const double* origin, float margin,
+          SegmentPacket& packet) {
+  Four start[8], way[8];
+  double longest = 0, shortest = 0;
+  for (int i = 0; i < 8; ++i) {
+    const double* at = segments[i];
+    const double length = at[SegmentNumbers::kLength];
+    start[i] = RoundedDifference(at + SegmentNumbers::kStart, origin);
+    way[i] = RoundedProduct(at + SegmentNumbers::kDirection, length);
+    longest = length > longest ? length : longest;
+    shortest = length < shortest ? length : shortest;
   }
-  return bits;
+  Four starts[2][4], ways[2][4];
+  for (int half = 0; half < 2; ++half) {
+    Transpose(start + 4 * half, starts[half]);
+    Transpose(way + 4 * half, ways[half]);
+  }
+  // The fourth of a way is its length squared. Not finite times 0 is NaN, and equals nothing.
+  Four deviation[2] = {-ways[0][3], -ways[1][3]};
+  const Four margins = {margin, margin, margin, margin};
+  packet.diagonal = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Four one = starts[0][axis], one_way = ways[0][axis], one_end = one + one_way;
+    const Four other = starts[1][axis], other_way = ways[1][axis], other_end = other + other_way;
+    deviation[0] += one_way * one_way + one * 0.0F;
+    deviation[1] += other_way * other_way + other * 0.0F;
+    const Four low = Least(Least(one, one_end), Least(other, other_end)) - margins;
+    const Four high = Largest(Largest(one, one_end), Largest(other, other_end)) + margins;
+    Store(one, packet.start[axis]);
+    Store(other, packet.start[axis] + 4);
+    Store(one_way, packet.way[axis]);
+    Store(other_way, packet.way[axis] + 4);
+    Store(low, packet.pair_low[axis]);
+    Store(high, packet.pair_high[axis]);
+    packet.low[axis] = LeastOf(low);
+    packet.high[axis] = LargestOf(high);
+    packet.diagonal += packet.high[axis] - packet.low[axis];
+  }
+  packet.longest = static_cast<float>(longest) * (1 + 1e-6F);
+  packet.pairs = (count + 1) / 2;
+  packet.places = ((1u << packet.pairs) - 1) | ((1u << count / 2) - 1) << 4;
+  constexpr float kUnit = 1e-6F, kTiny = 1e-30F;  // the latter for lengths of 0
+  return shortest >= 0 && AllWithin(deviation[0], ways[0][3] * kUnit + kTiny) &&
+         AllWithin(deviation[1], ways[1][3] * kUnit + kTiny);
 }
 
-inline Points CornerOf(const Block& block, int corner, uint32_t triangle) {
-  return {Lanes::All(block.corner[corner][0][triangle]),
-          Lanes::All(block.corner[corner][1][triangle]),
-          Lanes::All(block.corner[corner][2][triangle])};
-}
-
-inline uint32_t UsedPlaces(const BlockPlace& place) { return (1u << place.count) - 1; }
-
-int OverlappingBoxes(const BoxColumns& boxes, const SegmentPacket& packet, int32_t* found) {
+int OverlappingBoxes(const BoxColumns& boxes, const SegmentPacket& packet, NearBox* found) {
   const Points bottom = AllPoints(packet.low), top = AllPoints(packet.high);
   int count = 0;
   for (int at = 0; at < boxes.count; at += Lanes::kWidth) {
@@ -93,12 +107,16 @@ int OverlappingBoxes(const BoxColumns& boxes, const SegmentPacket& packet, int32
     const Points high = {Lanes::Load(boxes.high[0] + at), Lanes::Load(boxes.high[1] + at),
                          Lanes::Load(boxes.high[2] + at)};
     if (Bits(Overlap(low, high, bottom, top)) == 0) continue;
-    uint32_t bits = 0;
+    uint32_t near = 0;  // a byte a pair, a bit a box
     for (int pair = 0; pair < packet.pairs; ++pair) {
-      bits |= Bits(
-          Overlap(low, high, AllPoints(packet.pair_low[pair]), AllPoints(packet.pair_high[pair])));
+      near |= Bits(Overlap(low, high, PairLow(packet, pair), PairHigh(packet, pair))) << 8 * pair;
     }
-    for (; bits != 0; bits &= bits - 1) found[count++] = at + __builtin_ctz(bits);
+    uint32_t any = near | near >> 16;
+    any = (any | any >> 8) & 0xFF;
+    for (; any != 0; any &= any - 1) {
+      const int i = __builtin_ctz(any);
+      found[count++] = {at + i, near >> i & 0x01010101u};
+    }
   }
   return count;
 }
@@ -137,48 +155,90 @@ uint32_t EnteredChildren(const Node& node, const Line& line, float reach, float*
   return bits;
 }
 
-int TestPacket(const Block& block, const BlockPlace& place, const SegmentPacket& packet,
-               const float* offset, float error, Candidate* found, uint64_t& tested) {
-  uint32_t triangles = 0;
-  for (int at = 0; at < place.count; at += Lanes::kWidth) {
-    triangles |= BoxesMeet(block, at, packet, offset, error) << at;
-  }
-  triangles &= UsedPlaces(place);
-  if (triangles == 0) return 0;
+/// Some triangles of a block side by side.
+struct TriangleLanes {
+  Points a, b, c;
 
-  const Slack slack(packet.longest, place.longest_edge,
-                    packet.diagonal + place.longest_edge + 2 * error, error);
-  tested += static_cast<uint64_t>(__builtin_popcount(triangles)) *
-            static_cast<uint64_t>(__builtin_popcount(packet.lanes));
-  const Points shift = AllPoints(offset);
-  constexpr int kParts = 8 / Lanes::kWidth;
-  Points start[kParts], way[kParts];
-  int parts = 0;
-  for (; parts < kParts && (packet.lanes >> (parts * Lanes::kWidth)) != 0; ++parts) {
-    start[parts] = LoadPoints(packet.start, parts * Lanes::kWidth) - shift;
-    way[parts] = LoadPoints(packet.way, parts * Lanes::kWidth);
+  TriangleLanes(const Block& block, int at)
+      : a(LoadPoints(block.corner[0], at)),
+        b(LoadPoints(block.corner[1], at)),
+        c(LoadPoints(block.corner[2], at)) {}
+  Points Low() const {
+    return {Least(Least(a.x, b.x), c.x), Least(Least(a.y, b.y), c.y), Least(Least(a.z, b.z), c.z)};
   }
-  int count = 0;
-  for (; triangles != 0; triangles &= triangles - 1) {
-    const auto triangle = static_cast<uint32_t>(__builtin_ctz(triangles));
-    const Points corner = CornerOf(block, 0, triangle);
-    const Points edge_1 = CornerOf(block, 1, triangle) - corner;
-    const Points edge_2 = CornerOf(block, 2, triangle) - corner;
-    uint32_t lanes = 0;
-    for (int part = 0; part < parts; ++part) {
-      lanes |= MayMeet(start[part], way[part], corner, edge_1, edge_2, slack)
-               << (part * Lanes::kWidth);
+  Points High() const {
+    return {Largest(Largest(a.x, b.x), c.x), Largest(Largest(a.y, b.y), c.y),
+            Largest(Largest(a.z, b.z), c.z)};
+  }
+};
+
+/// The triangles of the boxes that come near a pair.
+int CullTriangles(const Block* blocks, const NearBlock* near, const NearBox* boxes, int count,
+                  const SegmentPacket& packet, PacketWork& work) {
+  int all = 0;
+  for (int i = 0; i < count; ++i) {
+    const NearBlock& block = near[boxes[i].index];
+    const Block& corners = blocks[block.block];
+    work.side_slack[i] =
+        packet.longest * (block.slack.side[0] * packet.diagonal + block.slack.side[1]);
+    work.range_slack[i] =
+        block.slack.range[0] * packet.diagonal + block.slack.range[1] + work.side_slack[i];
+    const Points less = AllPoints(block.low), more = AllPoints(block.high);
+    uint32_t triangles = 0;
+    for (int at = 0; at < kBlockSize && block.triangles >> at != 0; at += Lanes::kWidth) {
+      const TriangleLanes triangle(corners, at);
+      const Points low = triangle.Low() + less, high = triangle.High() + more;
+      Lanes meets = Lanes::All(0);
+      for (uint32_t rest = boxes[i].pairs; rest != 0; rest &= rest - 1) {
+        const int pair = __builtin_ctz(rest) / 8;
+        meets = meets | Overlap(low, high, PairLow(packet, pair), PairHigh(packet, pair));
+      }
+      triangles |= Bits(meets) << at;
     }
-    lanes &= packet.lanes;
-    if (lanes == 0) continue;
-    found[count++] = {static_cast<uint8_t>(triangle), static_cast<uint8_t>(lanes)};
+    for (triangles &= block.triangles; triangles != 0; triangles &= triangles - 1) {
+      const int triangle = __builtin_ctz(triangles);
+      work.near[all++] = {corners.corner[0][0] + triangle, i, triangle};
+    }
   }
-  return count;
+  return all;
+}
+
+/// Corner 0, 1 or 2 of the triangle whose first coordinate is at `first`.
+inline Points CornerOf(const float* first, int corner) {
+  const float* at = first + 3 * kBlockSize * corner;
+  return {Lanes::All(at[0]), Lanes::All(at[kBlockSize]), Lanes::All(at[2 * kBlockSize])};
+}
+
+int TestPacket(const Block* blocks, const NearBlock* near, const NearBox* boxes, int count,
+               const SegmentPacket& packet, PacketWork& work, uint64_t& tested) {
+  const int all = CullTriangles(blocks, near, boxes, count, packet, work);
+  tested += static_cast<uint64_t>(all) * static_cast<uint64_t>(__builtin_popcount(packet.places));
+  int found = 0;
+  for (int i = 0; i < all; ++i) {
+    const auto& [first, box, triangle] = work.near[i];
+    const Slack slack = {work.side_slack[box], work.range_slack[box]};
+    const Points a = CornerOf(first, 0);
+    const Points edge_1 = CornerOf(first, 1) - a, edge_2 = CornerOf(first, 2) - a;
+    const Points from = a + AllPoints(near[boxes[box].index].offset);
+    uint32_t places = 0;
+    for (int at = 0; at < 8; at += Lanes::kWidth) {
+      places |= MayMeet(LoadPoints(packet.start, at), LoadPoints(packet.way, at), from, edge_1,
+                        edge_2, slack)
+                << at;
+    }
+    places &= packet.places;
+    // Without a branch: guessing wrong would cost more than the test.
+    work.candidates[found] = {box, static_cast<int16_t>(triangle), static_cast<int16_t>(places)};
+    found += places != 0 ? 1 : 0;
+  }
+  return found;
 }
 
 uint32_t TestLine(const Block& block, const BlockPlace& place, const LinePiece& line, float error) {
   const float across = 2 * (place.half_size[0] + place.half_size[1] + place.half_size[2]);
-  const Slack slack(line.way_length, place.longest_edge, across + 2 * error, error);
+  const SlackTerms terms = SlackTerms::Of(place.longest_edge, error);
+  const float side = line.way_length * (terms.side[0] * across + terms.side[1]);
+  const Slack slack = {side, terms.range[0] * across + terms.range[1] + side};
   const Points start = AllPoints(line.start), way = AllPoints(line.way);
   uint32_t triangles = 0;
   for (int at = 0; at < place.count; at += Lanes::kWidth) {
@@ -187,7 +247,7 @@ uint32_t TestLine(const Block& block, const BlockPlace& place, const LinePiece& 
     const Points edge_2 = LoadPoints(block.corner[2], at) - corner;
     triangles |= MayMeet(start, way, corner, edge_1, edge_2, slack) << at;
   }
-  return triangles & UsedPlaces(place);
+  return triangles & ((1u << place.count) - 1);
 }
 
 }  // namespace

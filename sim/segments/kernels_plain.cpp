@@ -2,7 +2,7 @@
 
 namespace eod::sim {
 
-const Kernels kPlainKernels = {OverlappingBoxes, OverlappingChildren, EnteredChildren, TestPacket,
-                               TestLine};
+const Kernels kPlainKernels = {Pack,       OverlappingBoxes, OverlappingChildren, EnteredChildren,
+                               TestPacket, TestLine};
 
 }  // namespace eod::sim

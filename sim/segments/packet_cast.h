@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "sim/segments/kernels.h"
@@ -10,25 +11,32 @@ namespace eod::sim {
 /// Up to eight short segments of one group on their way through the blocks around.
 class PacketCast {
  public:
-  /// `queries` are 1..8 of one class mask; `first_query` is the place of the first one in the list
-  /// that is cast. Packed relative to `origin`, which is less than a few dozen metres away.
-  PacketCast(std::span<const SegmentQuery> queries, int first_query, const Eigen::Vector3d& origin);
+  /// `queries` are 1..8 of one class mask, short; `first_query` is the place of the first one in
+  /// the list that is cast. Packed relative to `origin`.
+  PacketCast(const Kernels& kernels, std::span<const SegmentQuery> queries, int first_query,
+             const Eigen::Vector3d& origin);
 
+  /// Whether all of them are castable, beyond doubt.
+  bool valid() const { return valid_; }
   const SegmentPacket& packet() const { return packet_; }
 
-  /// Asks the surroundings, which cover the packet, and answers in `hits`.
-  void Run(const BlockTree& tree, const Kernels& kernels, CastMemory& memory,
-           std::span<SegmentHit> hits) const;
+  /// Asks the surroundings, which cover the packet, and answers in `hits`. Only if valid.
+  void Run(const BlockTree& tree, CastMemory& memory, std::span<SegmentHit> hits) const;
 
  private:
-  void Pack(size_t place, const SegmentQuery& query, const Eigen::Vector3d& origin);
-  void PackBoxes();
-  void Open(const BlockTree& tree, const Kernels& kernels, const Surroundings::Entry& entry,
-            std::span<TriangleChoice> choices, CastMemory& memory) const;
+  struct Choices {
+    std::array<TriangleChoice, 8> of;
+    uint32_t begun = 0;  ///< bit by bit: those that something was offered to
+  };
 
+  void Test(const BlockTree& tree, std::span<const NearBox> boxes, Choices& choices,
+            CastMemory& memory) const;
+
+  const Kernels& kernels_;
   std::span<const SegmentQuery> queries_;
   int first_query_;
   SegmentPacket packet_;
+  bool valid_;
 };
 
 }  // namespace eod::sim

@@ -25,6 +25,7 @@ void Surroundings::Reserve() {
   if (!columns_.empty()) return;
   entries_.reserve(kMaxBlocks);
   found_.resize(kMaxBlocks);
+  work_.resize(1);
   columns_.resize(size_t{6} * kMaxBlocks);
   for (size_t axis = 0; axis < 3; ++axis) {
     boxes_.low[axis] = &columns_[axis * kMaxBlocks];
@@ -78,7 +79,8 @@ void Surroundings::CollectBlocks(const BlockTree& tree, const Kernels& kernels) 
       if (child >= 0) {
         waiting[count++] = child;
       } else if (entries_.size() < kMaxBlocks) {
-        entries_.push_back({.block = ~child, .offset = {}, .error = 0});
+        entries_.push_back(NearBlock{});
+        entries_.back().block = ~child;
       } else {
         usable_ = false;
         return;
@@ -91,18 +93,25 @@ void Surroundings::CollectBlocks(const BlockTree& tree, const Kernels& kernels) 
 void Surroundings::Describe(const BlockTree& tree) {
   const double region_reach = region_.sizes().maxCoeff();
   for (size_t i = 0; i < entries_.size(); ++i) {
-    Entry& entry = entries_[i];
+    NearBlock& entry = entries_[i];
     const BlockPlace& place = tree.places[static_cast<size_t>(entry.block)];
     const Vector3d offset = place.origin - origin_;
+    const double reach = region_reach + offset.lpNorm<Eigen::Infinity>() +
+                         static_cast<double>(place.half_size.maxCoeff());
+    const auto error = static_cast<float>(4 * kUnitRoundoff * reach + kEndTolerance);
+    entry.classes = place.classes;
+    entry.triangles = (1u << place.count) - 1;
+    entry.slack = SlackTerms::Of(place.longest_edge, error);
     for (size_t axis = 0; axis < 3; ++axis) {
       const auto at = static_cast<Eigen::Index>(axis);
       entry.offset[axis] = static_cast<float>(offset[at]);
-      columns_[axis * kMaxBlocks + i] = RoundedDown(offset[at] - place.half_size[at]);
-      columns_[(3 + axis) * kMaxBlocks + i] = RoundedUp(offset[at] + place.half_size[at]);
+      entry.low[axis] = entry.offset[axis] - error;
+      entry.high[axis] = entry.offset[axis] + error;
+      columns_[axis * kMaxBlocks + i] =
+          RoundedDown(offset[at] - static_cast<double>(place.half_size[at]));
+      columns_[(3 + axis) * kMaxBlocks + i] =
+          RoundedUp(offset[at] + static_cast<double>(place.half_size[at]));
     }
-    const double reach = region_reach + offset.lpNorm<Eigen::Infinity>() +
-                         static_cast<double>(place.half_size.maxCoeff());
-    entry.error = static_cast<float>(4 * kUnitRoundoff * reach + kEndTolerance);
   }
   boxes_.count = static_cast<int>((entries_.size() + 7) / 8 * 8);
   for (size_t i = entries_.size(); i < static_cast<size_t>(boxes_.count); ++i) {

@@ -17,13 +17,6 @@ class Surroundings {
   static constexpr int kMaxBlocks = 4096;  ///< more are not listed: walk the tree instead
   static constexpr double kWidest = 16.0;  ///< [m] of what is asked for, without the margin
 
-  /// A block of the list.
-  struct Entry {
-    int32_t block;
-    float offset[3];  ///< [m] of its origin from the list's origin
-    float error;      ///< [m] bound of the rounding of all coordinates in a test
-  };
-
   /// Gathers what is near `box` (module's local frame). `revision` names the state of the tree.
   void Gather(const BlockTree& tree, const Kernels& kernels, const Eigen::AlignedBox3d& box,
               uint64_t revision);
@@ -39,9 +32,10 @@ class Surroundings {
 
   const Eigen::Vector3d& origin() const { return origin_; }
   const BoxColumns& boxes() const { return boxes_; }
-  const Entry& entry(int index) const { return entries_[static_cast<size_t>(index)]; }
-  /// Room for the indices of all boxes.
-  int32_t* found() { return found_.data(); }
+  const NearBlock* blocks() const { return entries_.data(); }  ///< one a box
+  /// Room for all boxes, and for what comes of them.
+  NearBox* found() { return found_.data(); }
+  PacketWork& work() { return work_[0]; }
 
  private:
   void Reserve();
@@ -52,9 +46,10 @@ class Surroundings {
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
   uint64_t revision_ = 0;
   bool usable_ = false;
-  std::vector<Entry> entries_;
+  std::vector<NearBlock> entries_;
   std::vector<float> columns_;  ///< six of kMaxBlocks
-  std::vector<int32_t> found_;
+  std::vector<NearBox> found_;
+  std::vector<PacketWork> work_;  ///< one
   BoxColumns boxes_{};
   float half_size_[3] = {-1, -1, -1};  ///< [m] of the region, rounded down
 };

@@ -8,15 +8,17 @@ namespace eod::sim {
 void TriangleChoice::Offer(const BlockTree& tree, size_t block, int place, int query,
                            CastMemory& memory) {
   ++memory.counters.exact;
-  const Triangle corner = tree.Corners(block, place);
-  const std::optional<double> range = Meet(*query_, corner[0], corner[1], corner[2]);
+  const ExactTriangle& exact = tree.triangles[block * kBlockSize + static_cast<size_t>(place)];
+  const Eigen::Vector3d* corner = &tree.vertices[tree.places[block].first_vertex];
+  const std::optional<double> range =
+      Meet(*query_, corner[exact.vertex[0]], corner[exact.vertex[1]], corner[exact.vertex[2]]);
   if (!range) return;
   if (query_->hit_rule == HitRule::kAll) {
     memory.all.push_back({query, HitAt(tree, block, place, *range)});
   }
   const double rank = Rank(*query_, *range);
-  const Surface& surface = tree.SurfaceOf(block, place);
-  const int triangle = tree.triangles[block * kBlockSize + static_cast<size_t>(place)].triangle;
+  const Surface& surface = tree.surfaces[exact.surface];
+  const int triangle = exact.triangle;
   const bool better = !found() || rank < rank_ ||
                       (rank == rank_ && (surface.object != object_ ? surface.object < object_
                                                                    : triangle < triangle_));
@@ -30,20 +32,22 @@ void TriangleChoice::Offer(const BlockTree& tree, size_t block, int place, int q
 }
 
 SegmentHit TriangleChoice::Hit(const BlockTree& tree) const {
-  return found() ? HitAt(tree, block_, place_, range_) : SegmentHit{};
+  return HitAt(tree, block_, place_, range_);
 }
 
 SegmentHit TriangleChoice::HitAt(const BlockTree& tree, size_t block, int place,
                                  double range) const {
-  const auto [a, b, c] = tree.Corners(block, place);
-  const Surface& surface = tree.SurfaceOf(block, place);
+  const ExactTriangle& exact = tree.triangles[block * kBlockSize + static_cast<size_t>(place)];
+  const Eigen::Vector3d* corner = &tree.vertices[tree.places[block].first_vertex];
+  const Eigen::Vector3d& a = corner[exact.vertex[0]];
+  const Surface& surface = tree.surfaces[exact.surface];
   return {.hit = true,
           .point = query_->start + range * query_->direction,
-          .normal = (b - a).cross(c - a).normalized(),
+          .normal = (corner[exact.vertex[1]] - a).cross(corner[exact.vertex[2]] - a).normalized(),
           .range = range,
           .object = surface.object,
           .object_class = surface.class_mask,
-          .triangle = tree.triangles[block * kBlockSize + static_cast<size_t>(place)].triangle};
+          .triangle = exact.triangle};
 }
 
 }  // namespace eod::sim

@@ -9,8 +9,13 @@ namespace eod::sim {
 /// the order in which they come: see IsPreferred.
 class TriangleChoice {
  public:
-  TriangleChoice() = default;
-  explicit TriangleChoice(const SegmentQuery& query) : query_(&query) {}
+  /// Nothing until `Begin`, so that many of them cost nothing.
+  TriangleChoice() {}  // NOLINT(modernize-use-equals-default, *-member-init)
+  explicit TriangleChoice(const SegmentQuery& query) { Begin(query); }
+  void Begin(const SegmentQuery& query) {
+    query_ = &query;
+    triangle_ = -1;
+  }
 
   /// Decides a candidate, of a class that the query looks for, exactly and keeps it if the query's
   /// rules prefer it.
@@ -18,18 +23,18 @@ class TriangleChoice {
 
   bool found() const { return triangle_ >= 0; }
   double range() const { return range_; }
-  /// The answer; no hit if nothing was found.
+  /// The answer, if there is one.
   SegmentHit Hit(const BlockTree& tree) const;
 
  private:
   SegmentHit HitAt(const BlockTree& tree, size_t block, int place, double range) const;
 
-  const SegmentQuery* query_ = nullptr;
-  double rank_ = 0, range_ = 0;
-  int object_ = 0;
-  int triangle_ = -1;
-  size_t block_ = 0;
-  int place_ = 0;
+  const SegmentQuery* query_;
+  double rank_, range_;
+  size_t block_;
+  int place_;
+  int object_;
+  int triangle_;
 };
 
 }  // namespace eod::sim

@@ -55,53 +55,56 @@ void TriangleEngine::Cast(std::span<const SegmentQuery> queries, std::span<Segme
   memory.counters.segments += queries.size();
   memory.all.clear();
   for (size_t i = 0; i < queries.size();) {
-    hits[i] = SegmentHit{};
-    if (!IsCastable(queries[i])) {
-      ++memory.counters.rejected;
-      ++i;
-    } else if (!IsShort(queries[i])) {
-      CastLong(queries[i], i, hits[i], memory);
-      ++i;
-    } else {
-      size_t end = i + 1;
-      while (end < queries.size() && end < i + kLanes && GoTogether(queries[i], queries[end]) &&
-             IsShort(queries[end]) && IsCastable(queries[end])) {
-        hits[end++] = SegmentHit{};
-      }
+    size_t end = i;
+    while (end < queries.size() && end < i + kLanes && IsShort(queries[end]) &&
+           GoTogether(queries[i], queries[end])) {
+      hits[end++] = SegmentHit{};
+    }
+    if (end > i) {
       CastShort(queries, i, end, hits, memory);
       i = end;
+    } else {
+      CastAlone(queries[i], i, hits[i], memory);
+      ++i;
     }
   }
   if (!memory.all.empty()) SortListed(memory);
 }
 
-void TriangleEngine::CastLong(const SegmentQuery& query, size_t index, SegmentHit& hit,
-                              CastMemory& memory) const {
+void TriangleEngine::CastAlone(const SegmentQuery& query, size_t index, SegmentHit& hit,
+                               CastMemory& memory) const {
+  hit = SegmentHit{};
+  if (!IsCastable(query)) {
+    ++memory.counters.rejected;
+    return;
+  }
   TriangleChoice choice(query);
   WalkAlong(tree_, *kernels_, query, static_cast<int>(index), choice, memory);
-  hit = choice.Hit(tree_);
+  if (choice.found()) hit = choice.Hit(tree_);
 }
 
 void TriangleEngine::CastShort(std::span<const SegmentQuery> queries, size_t first, size_t end,
                                std::span<SegmentHit> hits, CastMemory& memory) const {
   Surroundings& near = memory.surroundings;
   const auto group = queries.subspan(first, end - first);
-  bool covered = false;
+  bool worth_a_list = !near.IsOf(revision_);
   if (near.IsOf(revision_)) {
-    const PacketCast packet(group, static_cast<int>(first), near.origin());
-    covered = near.Covers(packet.packet());
+    const PacketCast packet(*kernels_, group, static_cast<int>(first), near.origin());
+    const bool covered = packet.valid() && near.Covers(packet.packet());
     if (covered && near.usable()) {
-      packet.Run(tree_, *kernels_, memory, hits.subspan(first));
+      packet.Run(tree_, memory, hits.subspan(first));
       return;
     }
+    worth_a_list = packet.valid() && !covered;
   }
-  if (!covered && near.IsWorthGathering(BoxOfShort(group))) {
+  if (const AlignedBox3d box = BoxOfShort(group);
+      worth_a_list && !box.isEmpty() && near.IsWorthGathering(box)) {
     near.Gather(tree_, *kernels_, BoxOfShort(queries), revision_);
     ++memory.counters.refills;
     CastShort(queries, first, end, hits, memory);
     return;
   }
-  for (size_t i = first; i < end; ++i) CastLong(queries[i], i, hits[i], memory);
+  for (size_t i = first; i < end; ++i) CastAlone(queries[i], i, hits[i], memory);
 }
 
 }  // namespace eod::sim

@@ -32,7 +32,8 @@ class TriangleEngine {
   const BlockTree& tree() const { return tree_; }
 
  private:
-  void CastLong(const SegmentQuery& query, size_t index, SegmentHit& hit, CastMemory& memory) const;
+  void CastAlone(const SegmentQuery& query, size_t index, SegmentHit& hit,
+                 CastMemory& memory) const;
   void CastShort(std::span<const SegmentQuery> queries, size_t first, size_t end,
                  std::span<SegmentHit> hits, CastMemory& memory) const;
 

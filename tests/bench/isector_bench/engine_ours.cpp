@@ -5,10 +5,10 @@ namespace eod::bench {
 
 namespace {
 
-/// The one place that says how the product's engine is built, and how with plain x86-64 alone. The
-/// engine of today is plain C++, so both are one.
-std::unique_ptr<sim::World> BuildProduct(const sim::ModuleModel& module, bool /*plain*/) {
-  return sim::BuildWorld(module);
+/// As the product builds it: with the best instruction set of this processor, or with plain x86-64
+/// alone.
+std::unique_ptr<sim::World> BuildProduct(const sim::ModuleModel& module, bool plain) {
+  return sim::BuildWorld(module, plain ? sim::InstructionSet::kPlain : sim::BestInstructionSet());
 }
 
 class Ours final : public Engine {
