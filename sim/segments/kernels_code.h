@@ -56,13 +56,20 @@ bool Pack(const double* const* segments, int count, const double* origin, float 
           SegmentPacket& packet) {
   Four start[8], way[8];
   double longest = 0, shortest = 0;
-  for (int i = 0; i < 8; ++i) {
-    const double* at = segments[i];
-    const double length = at[SegmentNumbers::kLength];
-    start[i] = RoundedDifference(at + SegmentNumbers::kStart, origin);
-    way[i] = RoundedProduct(at + SegmentNumbers::kDirection, length);
-    longest = length > longest ? length : longest;
-    shortest = length < shortest ? length : shortest;
+  packet.pairs = (count + 1) / 2;
+  for (int pair = 0; pair < packet.pairs; ++pair) {
+    for (const int i : {pair, pair + 4}) {
+      const double* at = segments[i];
+      const double length = at[SegmentNumbers::kLength];
+      start[i] = RoundedDifference(at + SegmentNumbers::kStart, origin);
+      way[i] = RoundedProduct(at + SegmentNumbers::kDirection, length);
+      longest = length > longest ? length : longest;
+      shortest = length < shortest ? length : shortest;
+    }
+  }
+  for (int pair = packet.pairs; pair < 4; ++pair) {
+    start[pair] = start[pair + 4] = start[0];
+    way[pair] = way[pair + 4] = way[0];
   }
   Four starts[2][4], ways[2][4];
   for (int half = 0; half < 2; ++half) {
@@ -91,7 +98,6 @@ bool Pack(const double* const* segments, int count, const double* origin, float 
     packet.diagonal += packet.high[axis] - packet.low[axis];
   }
   packet.longest = static_cast<float>(longest) * (1 + 1e-6F);
-  packet.pairs = (count + 1) / 2;
   packet.places = ((1u << packet.pairs) - 1) | ((1u << count / 2) - 1) << 4;
   constexpr float kUnit = 1e-6F, kTiny = 1e-30F;  // the latter for lengths of 0
   return shortest >= 0 && AllWithin(deviation[0], ways[0][3] * kUnit + kTiny) &&
