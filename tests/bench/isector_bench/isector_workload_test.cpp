@@ -165,6 +165,10 @@ TEST(Scenes, GrowInAreaAndInDensity) {
   EXPECT_DOUBLE_EQ(small.terrain_density, 8);
   EXPECT_DOUBLE_EQ(large.terrain_density, 16);
   EXPECT_NEAR(large.terrain_size.prod() / small.terrain_size.prod(), 5, 0.8);
+  // Near the path the site comes on top of the terrain.
+  EXPECT_GT(DensityNearPath(small), 8);
+  EXPECT_LT(DensityNearPath(small), 16);
+  EXPECT_NEAR(DensityNearPath(large) - DensityNearPath(small), 8, 0.5);
   // The site is the same at every size, and inside the terrain.
   EXPECT_GT(small.terrain_size.minCoeff() / 2, std::hypot(kLoopU, kLoopV));
 }

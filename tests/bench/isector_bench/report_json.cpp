@@ -63,6 +63,7 @@ json ToJson(std::span<const SizeResult> results) {
     }
     list.push_back({{"triangles", result.triangles},
                     {"terrain_triangles_per_m2", result.terrain_density},
+                    {"path_triangles_per_m2", result.path_density},
                     {"hit_share", result.short_hits},
                     {"hit_share_tripod", result.leg_hits},
                     {"hit_share_bump", result.bump_hits},
