@@ -11,8 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Compared with ours; what has only heights over ground is not.
-constexpr std::array kPeers = {"bullet", "embree", "embree_robust", "osg", "osgsim_los"};
+constexpr std::array kPeers = {"bullet", "embree", "embree_robust", "osg"};
 
 json ToJson(const EngineResult& result) {
   if (result.outcome != Outcome::kMeasured) return nullptr;
