@@ -28,6 +28,14 @@ std::string InstructionSets() {
   return sets;
 }
 
+std::string Compiler() {
+#ifdef NDEBUG
+  return "g++ " __VERSION__ ", optimised";
+#else
+  return "g++ " __VERSION__ ", WITH ASSERTIONS: times mean nothing, build the release preset";
+#endif
+}
+
 }  // namespace
 
 Machine ThisMachine() {
@@ -35,7 +43,7 @@ Machine ThisMachine() {
   getloadavg(load.data(), static_cast<int>(load.size()));
   return {.processor = Processor(),
           .instruction_sets = InstructionSets(),
-          .compiler = "g++ " __VERSION__,
+          .compiler = Compiler(),
           .load = fmt::format("{:.2f} {:.2f} {:.2f}", load[0], load[1], load[2])};
 }
 

@@ -11,8 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Compared with ours; what has only heights over ground is not.
-constexpr std::array kPeers = {"bullet", "embree", "embree_robust", "osg", "osgsim_los"};
+constexpr std::array kPeers = {"bullet", "embree", "embree_robust", "osg"};
 
 json ToJson(const EngineResult& result) {
   if (result.outcome != Outcome::kMeasured) return nullptr;
@@ -63,6 +62,7 @@ json ToJson(std::span<const SizeResult> results) {
     }
     list.push_back({{"triangles", result.triangles},
                     {"terrain_triangles_per_m2", result.terrain_density},
+                    {"path_triangles_per_m2", result.path_density},
                     {"hit_share", result.short_hits},
                     {"hit_share_tripod", result.leg_hits},
                     {"hit_share_bump", result.bump_hits},

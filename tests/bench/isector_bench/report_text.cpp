@@ -122,12 +122,13 @@ Embree with flush-to-zero, built by one thread.
 
 std::string Tables(const SizeResult& result) {
   std::string text = fmt::format(
-      "\n{} triangles: {:.0f} a m2 of terrain, {:.0f} m x {:.0f} m\n"
+      "\n{} triangles: terrain of {:.0f} m x {:.0f} m with {:.0f} triangles a m2; {:.0f} a m2 near "
+      "the path\n"
       "hits: {:.1f} % of the short lines (TRIPOD {:.1f} %, BUMP {:.1f} %), {:.1f} % of the lines "
       "of "
       "sight\n",
-      result.triangles, result.terrain_density, result.terrain_size.x(), result.terrain_size.y(),
-      100 * result.short_hits, 100 * result.leg_hits, 100 * result.bump_hits,
+      result.triangles, result.terrain_size.x(), result.terrain_size.y(), result.terrain_density,
+      result.path_density, 100 * result.short_hits, 100 * result.leg_hits, 100 * result.bump_hits,
       100 * result.sight_hits);
   if (result.tried_by_brute_force > 0) {
     text += fmt::format("reference: the same as brute force on {} lines of these\n",

@@ -104,4 +104,19 @@ Scene MakeScene(int64_t triangles) {
   return scene;
 }
 
+double DensityNearPath(const Scene& scene) {
+  constexpr double kAside = 1.5;
+  constexpr double kArea =
+      4 * (kLoopU + kAside) * (kLoopV + kAside) - 4 * (kLoopU - kAside) * (kLoopV - kAside);
+  const Isometry3d X_SM = SitePose().inverse();
+  int near = 0;
+  for (const auto& [corner, mask, object] : scene.module.triangles) {
+    const Vector3d p_S = X_SM * Vector3d((corner[0] + corner[1] + corner[2]) / 3);
+    const double u = std::abs(p_S.x()), v = std::abs(p_S.y());
+    const bool inside = u < kLoopU - kAside && v < kLoopV - kAside;
+    if (u < kLoopU + kAside && v < kLoopV + kAside && !inside) ++near;
+  }
+  return near / kArea;
+}
+
 }  // namespace eod::bench

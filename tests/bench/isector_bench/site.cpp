@@ -100,11 +100,11 @@ void AddSouth(std::vector<SiteObject>& objects) {
 
 /// West side, driven in -V: a corridor with a ceiling that the arm comes close to.
 void AddWest(std::vector<SiteObject>& objects) {
-  objects.push_back(Stand("corridor", {-kLoopU - 0.55, 0.4}, {0.2, 4.6}, 2.2));
-  objects.push_back(Stand("corridor", {-kLoopU + 0.55, 0.4}, {0.2, 4.6}, 2.2));
+  objects.push_back(Stand("corridor", {-kLoopU - 0.55, 0.4}, {0.2, 5.8}, 2.2));
+  objects.push_back(Stand("corridor", {-kLoopU + 0.55, 0.4}, {0.2, 5.8}, 2.2));
   objects.push_back(Place({.name = "ceiling",
                            .middle = {-kLoopU, 0.4},
-                           .size = {1.3, 4.6},
+                           .size = {1.3, 5.8},
                            .level = GroundUnder(-kLoopU, 0.4),
                            .top = 1.5,
                            .bottom = 1.3}));

@@ -82,14 +82,20 @@ struct Runner {
   EngineResult* result;
 };
 
+/// Whose turn it is. Every engine comes first at times, and every other round runs backwards, so
+/// that an engine does not always find the caches as the same one left them.
+size_t Turn(size_t round, size_t i, size_t count) {
+  return (round + (round % 2 == 0 ? i : count - 1 - i)) % count;
+}
+
 void TimeAll(std::span<const Runner> runners, const Task& task, int rounds) {
   for (size_t round = 0; round < static_cast<size_t>(rounds); ++round) {
     for (size_t i = 0; i < runners.size(); ++i) {
-      const auto& [engine, result] = runners[(i + round) % runners.size()];
+      const auto& [engine, result] = runners[Turn(round, i, runners.size())];
       TimeRound(*engine, result->spec.legs_only ? task.Legs() : task.Short(), result->short_lines);
     }
     for (size_t i = 0; i < runners.size(); ++i) {
-      const auto& [engine, result] = runners[(i + round) % runners.size()];
+      const auto& [engine, result] = runners[Turn(round, i, runners.size())];
       if (!result->spec.legs_only) TimeRound(*engine, task.Sight(), result->sight_lines);
     }
   }
@@ -110,6 +116,7 @@ SizeResult RunSize(const RunOptions& options, int64_t triangles) {
   SizeResult result;
   result.triangles = static_cast<int64_t>(scene.module.triangles.size());
   result.terrain_density = scene.terrain_density;
+  result.path_density = DensityNearPath(scene);
   result.terrain_size = scene.terrain_size;
   const Task task = MakeTask(scene, options.frames, result);
   const IndexedMesh mesh = MakeIndexed(scene.module.triangles);

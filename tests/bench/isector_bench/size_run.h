@@ -26,7 +26,7 @@ struct EngineResult {
 /// All engines on one scene.
 struct SizeResult {
   int64_t triangles = 0;
-  double terrain_density = 0;  ///< triangles a m2
+  double terrain_density = 0, path_density = 0;  ///< triangles a m2
   Eigen::Vector2d terrain_size = Eigen::Vector2d::Zero();
   double short_hits = 0, leg_hits = 0, bump_hits = 0, sight_hits = 0;  ///< shares, 0..1
   int tried_by_brute_force = 0;  ///< answers of the reference that were checked so
@@ -34,7 +34,7 @@ struct SizeResult {
 };
 
 /// Builds the scene and all engines, judges their answers, then times them: one round of each after
-/// the other, each round beginning with another engine, short lines first, lines of sight then.
+/// the other, in changing order, short lines first, lines of sight then.
 ///
 /// Throws std::logic_error if the reference is not what brute force gives (checked up to 1e4).
 SizeResult RunSize(const RunOptions& options, int64_t triangles);
