@@ -11,12 +11,6 @@ constexpr double kGrazing = 1e-6;
 
 constexpr MotionSet kGripperMotions = SetOf(kGripperOpen) | SetOf(kGripperClose);
 
-/// Lines that carry the robot are never in its way.
-bool CarriesRobot(IsectorMethod method) {
-  return method != IsectorMethod::kBump && method != IsectorMethod::kLos &&
-         method != IsectorMethod::kVolume;
-}
-
 LinkSpec::Hand HandOf(const RobotModel& robot, int link) {
   for (int l = link; l >= 0; l = robot.links[l].parent) {
     if (robot.links[l].hand != LinkSpec::Hand::kNone) return robot.links[l].hand;
@@ -175,7 +169,7 @@ void Respond(const RobotModel& robot, const RobotState& state,
              const MotionDemand& demand, double dt_s, Response& response) {
   const Judge judge(robot, state, X_ML, demand, dt_s);
   const auto can_block = [&](const CastSegment& cast) {
-    return cast.hit.hit && !CarriesRobot(robot.isectors[cast.isector].method);
+    return cast.hit.hit && !LooksForGround(robot.isectors[cast.isector].method);
   };
   response.contacts.assign(segments.size(), {});
   for (size_t i = 0; i < segments.size(); ++i) {
