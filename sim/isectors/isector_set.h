@@ -32,7 +32,7 @@ enum class Coverage : uint8_t { kPaper, kExtended };
 /// LOS_FRONT, for the clearance ahead.
 class IsectorSet {
  public:
-  /// `model` must outlive the set.
+  /// `model` must outlive the set and keep its isectors.
   IsectorSet(const RobotModel& model, uint32_t module_bit, Coverage coverage = Coverage::kExtended,
              const IsectorRules& rules = {});
 
