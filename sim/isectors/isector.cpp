@@ -24,13 +24,6 @@ void CheckLength(const std::string& name, double length) {
       fmt::format("isector {}: length {} m, needs 0 or more", name, length));
 }
 
-/// Three verticals through such legs span no plane.
-bool StandInOneLine(std::span<const IsectorSegment> legs) {
-  constexpr double kLeastArea = 1e-6;  // [m^2]
-  const Eigen::Vector3d side = legs[1].start - legs[0].start, other = legs[2].start - legs[0].start;
-  return std::abs(side.x() * other.y() - side.y() * other.x()) < kLeastArea;
-}
-
 }  // namespace
 
 StaleReading::StaleReading(const std::string& what, int64_t asked, int64_t cast)
@@ -55,7 +48,8 @@ Isector::Isector(std::string name, IsectorMethod method, std::vector<IsectorSegm
     throw std::invalid_argument(
         fmt::format("isector {}: a direction of length {}, needs 1", name_, norm));
   }
-  if (method == IsectorMethod::kTripod && StandInOneLine(segments_)) {
+  if (method == IsectorMethod::kTripod &&
+      StandInOneLine(segments_[0].start, segments_[1].start, segments_[2].start)) {
     throw std::invalid_argument(fmt::format("isector {}: its legs stand in one line", name_));
   }
 }

@@ -83,6 +83,12 @@ IsectorSpec ReadIsector(const CustomElement& element, int link, const RobotModel
     element.Fail(fmt::format("isector {}: {} segments, method {} has {}..{}", isector.name,
                              isector.segments.size(), element.Text("method"), fewest, most));
   }
+  const auto& legs = isector.segments;
+  if (isector.method == IsectorMethod::kTripod &&
+      StandInOneLine(legs[0].start, legs[1].start, legs[2].start)) {
+    element.Fail(fmt::format("isector {}: its legs stand in one line, method tripod needs a plane",
+                             isector.name));
+  }
   return isector;
 }
 

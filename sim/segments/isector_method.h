@@ -1,8 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <string_view>
+
+#include <Eigen/Core>
 
 #include "sim/geometry/object_class.h"
 
@@ -61,6 +64,14 @@ constexpr SegmentCount SegmentCountOf(IsectorMethod method) {
 constexpr uint32_t UsualClasses(IsectorMethod method) {
   return LooksForGround(method) ? kClampProxy
                                 : kBumpProxy | kBombObject | kMovableObject | kContainmentVessel;
+}
+
+/// Whether verticals through these points span no plane, so that they are no legs for a TRIPOD.
+inline bool StandInOneLine(const Eigen::Vector3d& m, const Eigen::Vector3d& n,
+                           const Eigen::Vector3d& p) {
+  constexpr double kLeastArea = 1e-6;  // [m^2]
+  const Eigen::Vector3d side = n - m, other = p - m;
+  return std::abs(side.x() * other.y() - side.y() * other.x()) < kLeastArea;
 }
 
 }  // namespace eod::sim

@@ -147,6 +147,12 @@ TEST_F(RobotErrors, NumberOfSegmentsIsTheMethods) {
   EXPECT_EQ(Load(), place + "isector LOS_FRONT: 1 segments, method tripod has 3..3");
 }
 
+TEST_F(RobotErrors, TripodThatSpansNoPlaneIsRefused) {
+  robot_.Replace("name=\"rear\" start=\"0 -0.375 0\"", "name=\"rear\" start=\"0 0.375 0\"");
+  EXPECT_EQ(Load(), robot_.PlaceOf("<eod:isector name=\"TRIPOD\"") +
+                        "isector TRIPOD: its legs stand in one line, method tripod needs a plane");
+}
+
 TEST_F(RobotErrors, UnknownMotionIsRefused) {
   const std::string place = robot_.Replace("motions=\"M02\"", "motions=\"M02 M23\"");
   EXPECT_THAT(Load(), AllOf(StartsWith(place), HasSubstr("\"M23\""), HasSubstr("M01..M22")));
