@@ -50,6 +50,16 @@ void AddIsectorOptions(CLI::App& app, SimOptions& options) {
                  "isectors: those of the source paper, or also guards for what it left open")
       ->transform(CLI::CheckedTransformer(kCoverage))
       ->option_text("paper|extended");
+  IsectorRules& rules = options.node.simulator.rules;
+  app.add_flag_callback(
+      "--no-module-masks", [&rules] { rules.module_masks = false; },
+      "isectors are offered the objects of all modules, not of their own alone");
+  app.add_flag_callback(
+      "--no-dynamic-loading", [&rules] { rules.dynamic_loading = false; },
+      "all isectors are cast in every step, whatever is commanded");
+  app.add_flag_callback(
+      "--fixed-distance", [&rules] { rules.distance_factor = false; },
+      "contact always at the distance D0, however fast (without Eq. 2)");
   app.add_flag("--publish-isectors", options.node.publish_isectors,
                "put every step's isector hits on LCM");
 }
@@ -100,6 +110,18 @@ void AddSimOptions(CLI::App& app, SimOptions& options) {
   AddLockStepOptions(app, options);
 }
 
+namespace {
+
+std::string DescribeIsectors(const SimulatorConfig& config) {
+  const auto is = [](bool on) { return on ? "on" : "off"; };
+  return fmt::format("isectors         {}; module masks {}, dynamic loading {}, {}\n",
+                     config.coverage == Coverage::kPaper ? "paper" : "extended",
+                     is(config.rules.module_masks), is(config.rules.dynamic_loading),
+                     config.rules.distance_factor ? "distance by Eq. 2" : "fixed distance D0");
+}
+
+}  // namespace
+
 std::string Describe(const SimOptions& options) {
   const double period_s = ToSeconds(options.node.simulator.period);
   std::string text = fmt::format(
@@ -108,10 +130,10 @@ std::string Describe(const SimOptions& options) {
       "robot            {}\n"
       "scenario         {}\n"
       "step             {:g} ms ({:g} Hz), zero motion {:g} ms after the last command\n"
-      "isectors         {}\n",
+      "{}",
       options.world.string(), options.robot.string(), options.scenario.string(), 1000 * period_s,
       1 / period_s, 1000 * ToSeconds(options.node.simulator.command_timeout),
-      options.node.simulator.coverage == Coverage::kPaper ? "paper" : "extended");
+      DescribeIsectors(options.node.simulator));
   if (options.lockstep) {
     return text + fmt::format("lock-step        {} into {}, by {} and {}\n",
                               options.can_log.string(), options.out.string(), options.dbc.string(),

@@ -10,9 +10,7 @@ double ForemostPoint(const RobotModel& robot, std::span<const Eigen::Isometry3d>
                      const Eigen::Vector3d& forward_M) {
   double foremost = -std::numeric_limits<double>::infinity();
   for (const IsectorSpec& isector : robot.isectors) {
-    const bool carries_robot =
-        isector.method == IsectorMethod::kTripod || isector.method == IsectorMethod::kHat;
-    if (carries_robot) continue;
+    if (LooksForGround(isector.method)) continue;
     const Eigen::Isometry3d X_MI = X_ML[isector.link] * isector.X_LI;
     for (const SegmentSpec& segment : isector.segments) {
       const Eigen::Vector3d p_I = segment.start + segment.direction * (segment.d0 - segment.skin);

@@ -78,34 +78,49 @@ void Fill(const Simulator& simulator, mission_status_t& message) {
   message.fail_reason = static_cast<int8_t>(task.fail_reason);
 }
 
+void Resize(size_t count, isector_hits_t& message) {
+  message.num_segments = static_cast<int32_t>(count);
+  for (auto* points : {&message.start_m, &message.end_m, &message.point_m, &message.normal}) {
+    points->resize(count, std::vector<double>(3));
+  }
+  for (auto* texts : {&message.isector, &message.method, &message.object}) texts->resize(count);
+  for (auto* numbers : {&message.range_m, &message.threshold_m}) numbers->resize(count);
+  for (auto* numbers : {&message.object_class, &message.triangle}) numbers->resize(count);
+  for (auto* flags : {&message.segment, &message.hit, &message.contact}) flags->resize(count);
+}
+
+/// What segment i met. Without a hit, what has no value is NaN.
+void FillHit(const Simulator& simulator, const SegmentHit& hit, size_t i, isector_hits_t& message) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const Eigen::Vector3d none = Eigen::Vector3d::Constant(kNone);
+  message.hit[i] = hit.hit ? 1 : 0;
+  message.range_m[i] = hit.hit ? hit.range : kNone;
+  PutPoint(simulator.module(), hit.hit ? hit.point : none, message.point_m[i].data());
+  // The module's axes are the world's.
+  Eigen::Map<Eigen::Vector3d>{message.normal[i].data()} = hit.hit ? hit.normal : none;
+  message.object[i] = simulator.world().ObjectName(hit.hit ? hit.object : -1);
+  message.object_class[i] = hit.hit ? static_cast<int32_t>(hit.object_class) : 0;
+  message.triangle[i] = hit.hit ? hit.triangle : -1;
+}
+
 void Fill(const RobotModel& robot, const Simulator& simulator, isector_hits_t& message) {
   const std::span<const CastSegment> segments = simulator.isectors().segments();
-  const size_t count = segments.size();
   message.utime = ToUtime(simulator.last().time);
   message.step = simulator.last().step;
-  message.num_segments = static_cast<int32_t>(count);
-  message.isector.resize(count);
-  message.segment.resize(count);
-  message.start_m.resize(count, std::vector<double>(3));
-  message.end_m.resize(count, std::vector<double>(3));
-  message.hit.resize(count);
-  message.range_m.resize(count);
-  message.threshold_m.resize(count);
-  message.contact.resize(count);
-  message.object.resize(count);
-  for (size_t i = 0; i < count; ++i) {
+  Resize(segments.size(), message);
+  for (size_t i = 0; i < segments.size(); ++i) {
     const CastSegment& cast = segments[i];
+    const IsectorSpec& isector = robot.isectors[cast.isector];
     const SegmentContact& contact = simulator.response().contacts[i];
     const Eigen::Vector3d p_M = cast.query.start + cast.query.direction * cast.query.length;
-    message.isector[i] = robot.isectors[cast.isector].name;
+    message.isector[i] = isector.name;
+    message.method[i] = NameOf(isector.method);
     message.segment[i] = static_cast<int8_t>(cast.segment);
     PutPoint(simulator.module(), cast.query.start, message.start_m[i].data());
     PutPoint(simulator.module(), p_M, message.end_m[i].data());
-    message.hit[i] = cast.hit.hit ? 1 : 0;
-    message.range_m[i] = cast.hit.hit ? cast.hit.range : std::numeric_limits<double>::quiet_NaN();
+    FillHit(simulator, cast.hit, i, message);
     message.threshold_m[i] = contact.threshold;
     message.contact[i] = contact.contact ? 1 : 0;
-    message.object[i] = simulator.world().ObjectName(cast.hit.hit ? cast.hit.object : -1);
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/all_modules.h"
 #include "sim/look_ahead.h"
 #include "sim/response/standing.h"
 
@@ -34,12 +35,13 @@ double SignedRate(const RobotModel& robot, const MotionDemand& demand, int posit
 
 }  // namespace
 
-Simulator::Place::Place(const RobotModel& robot, const ModuleModel& model, const Scenario& scenario,
-                        Coverage coverage)
+Simulator::Place::Place(const RobotModel& robot, const WorldModel& all, const ModuleModel& model,
+                        const Scenario& scenario, const SimulatorConfig& config)
     : module(&model),
-      world(BuildWorld(model)),
-      isectors(robot, model.class_bit, coverage),
-      support(robot, model.class_bit, Coverage::kPaper),
+      world(BuildWorld(config.rules.module_masks ? model : WithAllModules(all, model))),
+      isectors(robot, model.class_bit, config.coverage, config.rules),
+      support(robot, model.class_bit, Coverage::kPaper,
+              {.module_masks = config.rules.module_masks}),
       task(ScenarioIn(model, scenario), model) {}
 
 Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Scenario& scenario,
@@ -60,7 +62,7 @@ Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Sce
                                          scenario.module, world.file.string()));
   }
   for (const ModuleModel& module : world.modules) {
-    places_.push_back(std::make_unique<Place>(robot, module, scenario, config.coverage));
+    places_.push_back(std::make_unique<Place>(robot, world, module, scenario, config));
   }
   result_.alarm_changes.reserve(16);
   // Every list grows to its full length now, so that no step has to allocate.
@@ -83,8 +85,8 @@ const StepResult& Simulator::Step(TimePoint now, const OperatorCommand& command)
   const uint32_t contacts_before = result_.contact_parts;
 
   Cast(wish.demand.commanded);
-  Respond(robot_, result_.state, link_poses_, place_->isectors.segments(), wish.demand, dt_s_,
-          response_);
+  Respond(robot_, result_.state, link_poses_, place_->isectors.segments(), wish.demand,
+          {.dt_s = dt_s_, .with_factor = config_.rules.distance_factor}, response_);
   // A robot that stands still stands where it stood, to the last bit.
   if (Move(wish.demand, limited)) StandOnGround();
   Report(command, wish, limited);
@@ -143,7 +145,7 @@ void Simulator::StandAtStart() {
 }
 
 void Simulator::Cast(MotionSet wanted) {
-  place_->isectors.Cast(*place_->world, link_poses_, wanted | response_.Watched());
+  place_->isectors.Cast(*place_->world, link_poses_, wanted | response_.Watched(), result_.step);
 }
 
 /// Returns whether the robot moved, or is falling.
@@ -165,7 +167,7 @@ bool Simulator::Move(const MotionDemand& wanted, MotionSet limited) {
 }
 
 void Simulator::StandOnGround() {
-  place_->support.Cast(*place_->world, link_poses_, 0);
+  place_->support.Cast(*place_->world, link_poses_, 0, result_.step);
   result_.state = StandOn(place_->support.ground(), result_.state, dt_s_);
   LinkPoses(robot_, result_.state, link_poses_);
 }

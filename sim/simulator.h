@@ -21,6 +21,7 @@ struct SimulatorConfig {
   Duration period = std::chrono::milliseconds(4);             ///< 1..20 ms
   Duration command_timeout = std::chrono::milliseconds(100);  ///< zero motion from this age on
   Coverage coverage = Coverage::kExtended;
+  IsectorRules rules = {};
   bool start_mission = false;  ///< the mission runs from the first step, without the menu
 };
 
@@ -69,8 +70,8 @@ class Simulator {
  private:
   /// A module that the menu can choose, built before the first step.
   struct Place {
-    Place(const RobotModel& robot, const ModuleModel& model, const Scenario& scenario,
-          Coverage coverage);
+    Place(const RobotModel& robot, const WorldModel& all, const ModuleModel& model,
+          const Scenario& scenario, const SimulatorConfig& config);
     const ModuleModel* module;
     std::unique_ptr<World> world;
     IsectorSet isectors;  ///< all that the commanded motions load

@@ -75,7 +75,9 @@ void AppendSegments(std::span<const DrawnSegment> segments, const View& view, in
                     std::vector<ColourVertex>& triangles) {
   Ribbons ribbons(view, width, height, triangles);
   for (const DrawnSegment& segment : segments) {
-    ribbons.Line(segment.start, segment.end, ColourOf(segment));
+    // Clipped at its hit: legs of TRIPOD would reach out of the far side of the ground.
+    const Vector3d& end = segment.hit ? segment.point : segment.end;
+    ribbons.Line(segment.start, end, ColourOf(segment));
   }
   // Crosses last: a hit must be seen among many lines.
   for (const DrawnSegment& segment : segments) {

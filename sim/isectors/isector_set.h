@@ -1,14 +1,15 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "sim/isectors/isector_batch.h"
+#include "sim/isectors/isector_rules.h"
+#include "sim/isectors/tripod_reading.h"
 #include "sim/robot/robot_model.h"
-#include "sim/world/world.h"
 
 namespace eod::sim {
 
@@ -20,55 +21,54 @@ struct CastSegment {
   SegmentHit hit;
 };
 
-/// Height and attitude of the ground under the robot, by TRIPOD.
-struct GroundFix {
-  int legs = 0;  ///< how many legs met ground, 0..3
-  /// [m] z of the plane under the tripod's origin; with 1 or 2 legs its z moved by mean_offset.
-  double height = 0;
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< of the plane, z > 0; legs == 3
-  /// [m] mean of (hit z - z of the robot's own plane at that leg); legs >= 1
-  double mean_offset = 0;
-};
-
 /// Which isectors there are: those of the source paper, TRIPOD and LOS; or also the guards of
 /// chassis sides and the hands' look up and down, which close the gaps of that set.
 enum class Coverage : uint8_t { kPaper, kExtended };
 
-/// The robot's isectors: which are active, where their lines are, and what those met.
+/// The robot's isectors: which are active, where their segments are, and what those met.
 ///
 /// Dynamic loading (as the robot file's `motions` say): an isector, and a segment of it, is cast
 /// only while one of its motions is commanded. TRIPOD is always cast: the robot stands on it; so is
-/// LOS_FRONT, for the clearance ahead. Lines of TRIPOD and of height isectors turn with the heading
-/// only: they stay vertical, and take their highest hit.
+/// LOS_FRONT, for the clearance ahead.
 class IsectorSet {
  public:
-  /// `model` must outlive the set.
-  IsectorSet(const RobotModel& model, uint32_t module_bit, Coverage coverage = Coverage::kExtended);
+  /// `model` must outlive the set and keep its isectors.
+  IsectorSet(const RobotModel& model, uint32_t module_bit, Coverage coverage = Coverage::kExtended,
+             const IsectorRules& rules = {});
 
-  /// Casts all active segments from the current pose. `X_ML`: pose of every link in the module's
-  /// local frame. No allocation after the first call.
-  void Cast(const World& world, std::span<const Eigen::Isometry3d> X_ML, MotionSet commanded);
+  /// Casts all active segments from the current pose, for `step` (0 or more). `X_ML`: pose of every
+  /// link in the module's local frame. No allocation after the first call.
+  void Cast(const World& world, std::span<const Eigen::Isometry3d> X_ML, MotionSet commanded,
+            int64_t step);
+  /// The same for the step after the last one, for who does not count steps.
+  void Cast(const World& world, std::span<const Eigen::Isometry3d> X_ML, MotionSet commanded) {
+    Cast(world, X_ML, commanded, step_ + 1);
+  }
 
+  /// The step of the last call; Isector::kNever before the first.
+  int64_t step() const { return step_; }
   /// All segments cast in the last call, in the order of the robot file.
   std::span<const CastSegment> segments() const { return segments_; }
-  /// Plane through the feet of TRIPOD, from the last call.
+  /// An isector by its index in RobotModel::isectors, to be read for a step. Reading one that was
+  /// not active then throws StaleReading.
+  const Isector& isector(int index) const { return isectors_.at(index); }
+  /// Plane through the feet of TRIPOD, from the last call; no legs if the robot has none.
   const GroundFix& ground() const { return ground_; }
   /// Work of the last call.
-  const CastCounters& counters() const { return memory_.counters; }
+  const CastCounters& counters() const { return batch_.counters(); }
 
  private:
-  bool IsActive(const IsectorSpec& isector, MotionSet commanded) const;
-  void LoadIsector(size_t index, std::span<const Eigen::Isometry3d> X_ML, MotionSet commanded);
-  void FixGround(std::span<const Eigen::Isometry3d> X_ML);
+  void Place(int index, std::span<const Eigen::Isometry3d> X_ML, MotionSet commanded);
 
   const RobotModel& model_;
-  uint32_t module_bit_;
   Coverage coverage_;
+  IsectorRules rules_;
+  int tripod_ = -1;                ///< index of the robot's TRIPOD
+  std::vector<Isector> isectors_;  ///< one for each in the model
+  IsectorBatch batch_;
   std::vector<CastSegment> segments_;
-  std::vector<SegmentQuery> queries_;
-  std::vector<SegmentHit> hits_;
   GroundFix ground_;
-  CastMemory memory_;
+  int64_t step_ = Isector::kNever;
 };
 
 }  // namespace eod::sim

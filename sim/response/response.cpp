@@ -11,12 +11,6 @@ constexpr double kGrazing = 1e-6;
 
 constexpr MotionSet kGripperMotions = SetOf(kGripperOpen) | SetOf(kGripperClose);
 
-/// Lines that carry the robot are never in its way.
-bool CarriesRobot(IsectorMethod method) {
-  return method != IsectorMethod::kBump && method != IsectorMethod::kLos &&
-         method != IsectorMethod::kVolume;
-}
-
 LinkSpec::Hand HandOf(const RobotModel& robot, int link) {
   for (int l = link; l >= 0; l = robot.links[l].parent) {
     if (robot.links[l].hand != LinkSpec::Hand::kNone) return robot.links[l].hand;
@@ -35,8 +29,8 @@ void ForEachMotion(MotionSet set, const Function& function) {
 class Judge {
  public:
   Judge(const RobotModel& robot, const RobotState& state, std::span<const Eigen::Isometry3d> X_ML,
-        const MotionDemand& demand, double dt_s)
-      : robot_(robot), state_(state), X_ML_(X_ML), demand_(demand), dt_s_(dt_s) {}
+        const MotionDemand& demand, const DistanceLaw& law)
+      : robot_(robot), state_(state), X_ML_(X_ML), demand_(demand), law_(law) {}
 
   /// Every motion as if it were the only one.
   SegmentContact JudgeAlone(const CastSegment& cast, const HeldContact* held) const;
@@ -65,7 +59,7 @@ class Judge {
   const RobotState& state_;
   std::span<const Eigen::Isometry3d> X_ML_;
   const MotionDemand& demand_;
-  double dt_s_;
+  const DistanceLaw& law_;
 };
 
 bool Judge::Shortens(const CastSegment& cast, int motion, const Eigen::Vector3d& v_M) const {
@@ -84,7 +78,7 @@ SegmentContact Judge::JudgeAlone(const CastSegment& cast, const HeldContact* hel
   contact.threshold = held != nullptr ? held->threshold : segment.d0;
   ForEachMotion(MayBlock(cast) & demand_.commanded, [&](int motion) {
     const Eigen::Vector3d v_M = OriginVelocity(cast, motion, demand_.rate[motion]);
-    const double own = DistanceThreshold(segment, v_M.norm(), dt_s_);
+    const double own = DistanceThreshold(segment, v_M.norm(), law_);
     const double threshold = held != nullptr ? std::max(own, held->threshold) : own;
     contact.threshold = std::max(contact.threshold, threshold);
     if (cast.hit.range < threshold && Shortens(cast, motion, v_M)) contact.blocks |= SetOf(motion);
@@ -104,7 +98,7 @@ void Judge::JudgeTogether(const CastSegment& cast, MotionSet left_over,
   Eigen::Vector3d v_M = Eigen::Vector3d::Zero();
   ForEachMotion(left_over,
                 [&](int motion) { v_M += OriginVelocity(cast, motion, demand_.rate[motion]); });
-  const double threshold = DistanceThreshold(Segment(cast), v_M.norm(), dt_s_);
+  const double threshold = DistanceThreshold(Segment(cast), v_M.norm(), law_);
   contact.threshold = std::max(contact.threshold, threshold);
   contact.contact = cast.hit.range < contact.threshold;
   if (cast.hit.range >= threshold || v_M.dot(cast.query.direction) <= kGrazing * v_M.norm()) return;
@@ -165,17 +159,18 @@ MotionSet Response::Watched() const {
   return watched;
 }
 
-double DistanceThreshold(const SegmentSpec& segment, double speed_mps, double dt_s) {
-  const double critical_speed = segment.skin / dt_s;
-  return speed_mps <= critical_speed ? segment.d0 : segment.d0 + speed_mps * dt_s;
+double DistanceThreshold(const SegmentSpec& segment, double speed_mps, const DistanceLaw& law) {
+  const double critical_speed = segment.skin / law.dt_s;
+  const bool grows = law.with_factor && speed_mps > critical_speed;
+  return grows ? segment.d0 + speed_mps * law.dt_s : segment.d0;
 }
 
 void Respond(const RobotModel& robot, const RobotState& state,
              std::span<const Eigen::Isometry3d> X_ML, std::span<const CastSegment> segments,
-             const MotionDemand& demand, double dt_s, Response& response) {
-  const Judge judge(robot, state, X_ML, demand, dt_s);
+             const MotionDemand& demand, const DistanceLaw& law, Response& response) {
+  const Judge judge(robot, state, X_ML, demand, law);
   const auto can_block = [&](const CastSegment& cast) {
-    return cast.hit.hit && !CarriesRobot(robot.isectors[cast.isector].method);
+    return cast.hit.hit && !LooksForGround(robot.isectors[cast.isector].method);
   };
   response.contacts.assign(segments.size(), {});
   for (size_t i = 0; i < segments.size(); ++i) {

@@ -40,8 +40,14 @@ struct Response {
   MotionSet Watched() const;
 };
 
+/// How the distance D comes about, below which a hit is a contact.
+struct DistanceLaw {
+  double dt_s = 0;          ///< a step
+  bool with_factor = true;  ///< grows with the speed by Eq. 2; otherwise it is always d0
+};
+
 /// D = d0 up to V0 = skin/dt, d0 + v dt beyond (Eq. 2); v is the speed of the isector's own origin.
-double DistanceThreshold(const SegmentSpec& segment, double speed_mps, double dt_s);
+double DistanceThreshold(const SegmentSpec& segment, double speed_mps, const DistanceLaw& law);
 
 /// Judges the segments that were cast from the current pose against `demand`: a motion is blocked
 /// iff a segment in contact would get shorter by it. Each motion is judged alone, then all
@@ -53,6 +59,6 @@ double DistanceThreshold(const SegmentSpec& segment, double speed_mps, double dt
 /// allocation once its vectors have grown.
 void Respond(const RobotModel& robot, const RobotState& state,
              std::span<const Eigen::Isometry3d> X_ML, std::span<const CastSegment> segments,
-             const MotionDemand& demand, double dt_s, Response& response);
+             const MotionDemand& demand, const DistanceLaw& law, Response& response);
 
 }  // namespace eod::sim

@@ -8,19 +8,17 @@ constexpr double kGravity = 9.80665;  // [m/s^2]
 }  // namespace
 
 RobotState StandOn(const GroundFix& ground, const RobotState& state, double dt_s) {
+  const Footing last{.z = state.position.z(), .attitude = state.attitude};
+  const Footing footing = NextFooting(ground, last, state.attitude.heading);
   RobotState next = state;
-  if (ground.legs == 0) {
+  if (footing.falling) {
     next.fall_speed += kGravity * dt_s;
     next.position.z() -= next.fall_speed * dt_s;
     return next;
   }
   next.fall_speed = 0;
-  if (ground.legs == 3) {
-    next.position.z() = ground.height;
-    next.attitude = AttitudeOnPlane(ground.normal, state.attitude.heading);
-  } else {
-    next.position.z() += ground.mean_offset;
-  }
+  next.position.z() = footing.z;
+  next.attitude = footing.attitude;
   return next;
 }
 

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "sim/geometry/object_class.h"
 #include "sim/robot/robot_parts.h"
 #include "sim/robot/vocabulary.h"
 
@@ -8,28 +7,8 @@ namespace eod::sim {
 
 namespace {
 
-bool LooksForGround(IsectorMethod method) {
-  return method == IsectorMethod::kTripod || method == IsectorMethod::kHat ||
-         method == IsectorMethod::kZ || method == IsectorMethod::kZpr ||
-         method == IsectorMethod::kXyzpr;
-}
-
-/// How many lines a method has: a fixed number, or a range.
-std::pair<size_t, size_t> SegmentCounts(IsectorMethod method) {
-  switch (method) {
-    case IsectorMethod::kTripod:
-      return {3, 3};
-    case IsectorMethod::kBump:
-      return {1, 6};
-    case IsectorMethod::kVolume:
-      return {1, 32};
-    default:
-      return {1, 1};
-  }
-}
-
 SegmentSpec ReadGroundLine(const CustomElement& element, const RobotModel& model) {
-  element.AllowAttributes({"name", "start"});
+  element.AllowAttributes({"name", "start", "enabled"});
   const double length = model.step_up_limit + model.fall_search;
   SegmentSpec segment{.name = element.Text("name"),
                       .direction = -Eigen::Vector3d::UnitZ(),
@@ -37,12 +16,13 @@ SegmentSpec ReadGroundLine(const CustomElement& element, const RobotModel& model
                       .motions = kAllMotions | kAlways};
   if (element.Has("start")) segment.start = element.Vector("start");
   segment.start.z() += model.step_up_limit;
+  segment.enabled = FlagOf(element, "enabled", true);
   return segment;
 }
 
 SegmentSpec ReadFeeler(const CustomElement& element) {
   element.AllowAttributes(
-      {"name", "start", "direction", "length", "d0", "skin", "motions", "blocks"});
+      {"name", "start", "direction", "length", "d0", "skin", "motions", "blocks", "enabled"});
   SegmentSpec segment{.name = element.Text("name"),
                       .direction = element.Vector("direction"),
                       .length = element.Number("length", 0.001, 1000),
@@ -52,6 +32,7 @@ SegmentSpec ReadFeeler(const CustomElement& element) {
   if (element.Has("start")) segment.start = element.Vector("start");
   if (element.Has("motions")) segment.motions = MotionsOf(element, "motions");
   if (element.Has("blocks")) segment.blocks = MotionsOf(element, "blocks");
+  segment.enabled = FlagOf(element, "enabled", true);
   if (std::abs(segment.direction.norm() - 1) > 1e-6) {
     element.Fail(fmt::format("direction of <eod:segment> {}: length {}, needs 1", segment.name,
                              segment.direction.norm()));
@@ -77,7 +58,8 @@ bool IsExtended(const CustomElement& element) {
 }  // namespace
 
 IsectorSpec ReadIsector(const CustomElement& element, int link, const RobotModel& model) {
-  element.AllowAttributes({"name", "method", "part", "pose", "motions", "coverage"});
+  element.AllowAttributes(
+      {"name", "method", "part", "pose", "motions", "coverage", "face", "hit", "classes"});
   AllowElements(element.children, {"segment"}, "isector " + element.Text("name"));
   IsectorSpec isector{.name = element.Text("name"),
                       .method = MethodOf(element, "method"),
@@ -88,14 +70,24 @@ IsectorSpec ReadIsector(const CustomElement& element, int link, const RobotModel
                       .segments = {}};
   if (element.Has("pose")) isector.X_LI = element.Pose("pose");
   const bool ground = LooksForGround(isector.method);
-  isector.class_mask = ground ? kClampProxy : kBumpProxy;
+  isector.class_mask =
+      element.Has("classes") ? ClassesOf(element, "classes") : UsualClasses(isector.method);
+  isector.hit_rule = ground ? HitRule::kHighest : HitRule::kNearest;
+  if (element.Has("hit")) isector.hit_rule = HitRuleOf(element, "hit");
+  if (element.Has("face")) isector.face_rule = FaceRuleOf(element, "face");
   for (const CustomElement& child : element.children) {
     isector.segments.push_back(ground ? ReadGroundLine(child, model) : ReadFeeler(child));
   }
-  const auto [fewest, most] = SegmentCounts(isector.method);
+  const auto [fewest, most] = SegmentCountOf(isector.method);
   if (isector.segments.size() < fewest || isector.segments.size() > most) {
     element.Fail(fmt::format("isector {}: {} segments, method {} has {}..{}", isector.name,
                              isector.segments.size(), element.Text("method"), fewest, most));
+  }
+  const auto& legs = isector.segments;
+  if (isector.method == IsectorMethod::kTripod &&
+      StandInOneLine(legs[0].start, legs[1].start, legs[2].start)) {
+    element.Fail(fmt::format("isector {}: its legs stand in one line, method tripod needs a plane",
+                             isector.name));
   }
   return isector;
 }

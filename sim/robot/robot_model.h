@@ -12,6 +12,8 @@
 #include "sim/geometry/visual.h"
 #include "sim/robot/motion_id.h"
 #include "sim/robot/robot_state.h"
+#include "sim/segments/isector_method.h"
+#include "sim/segments/segment.h"
 
 namespace eod::sim {
 
@@ -43,8 +45,6 @@ struct LinkSpec {
   Hand hand = Hand::kNone;
 };
 
-enum class IsectorMethod : uint8_t { kVolume, kHat, kZ, kZpr, kXyzpr, kLos, kTripod, kBump };
-
 /// One line of an isector, in the isector's own frame.
 struct SegmentSpec {
   std::string name;  ///< "+Y", "l1", ...
@@ -56,6 +56,7 @@ struct SegmentSpec {
   MotionSet motions = kAllMotions;  ///< live only while one of these is commanded
   MotionSet blocks = kAllMotions;   ///< those of `motions` that it may stop; for the rest it only
                                     ///< tells how near a thing is
+  bool enabled = true;              ///< never cast if not
 };
 
 /// An isector on a link.
@@ -64,7 +65,9 @@ struct IsectorSpec {
   IsectorMethod method = IsectorMethod::kBump;
   int link = 0;
   Eigen::Isometry3d X_LI = Eigen::Isometry3d::Identity();
-  uint32_t class_mask = 0;          ///< proxy and object classes it looks for, module bit apart
+  uint32_t class_mask = 0;  ///< proxy and object classes it looks for, module bit apart
+  FaceRule face_rule = FaceRule::kTwoSided;
+  HitRule hit_rule = HitRule::kNearest;
   MotionSet motions = kAllMotions;  ///< active while one of these is commanded; kAlways: ever
   Part part = Part::kChassis;       ///< part that an alarm names
   bool extended = false;  ///< beyond the source paper's set, see Coverage in isector_set.h

@@ -24,20 +24,33 @@ constexpr std::array<std::string_view, 12> kParts = {"front_left_wheel",
                                                      "mast",
                                                      "held_bomb"};
 
-constexpr std::array<std::string_view, 8> kMethods = {"volume", "hat", "z",      "zpr",
-                                                      "xyzpr",  "los", "tripod", "bump"};
+// In the order of FaceRule and HitRule.
+constexpr std::array<std::string_view, 2> kFaceRules = {"two_sided", "front_only"};
+constexpr std::array<std::string_view, 3> kHitRules = {"nearest", "highest", "all"};
 
-/// Index of the attribute's word in `words`.
+constexpr std::array<std::string_view, 5> kClasses = {"bump", "clamp", "bomb", "movable", "vessel"};
+constexpr std::array<uint32_t, 5> kClassBits = {kBumpProxy, kClampProxy, kBombObject,
+                                                kMovableObject, kContainmentVessel};
+
+constexpr std::array<std::string_view, 2> kFlags = {"false", "true"};
+
+/// Index of `text`, a word of the attribute, in `words`.
 template <size_t size>
-int IndexOf(const CustomElement& element, const std::string& attribute,
+int IndexOf(const CustomElement& element, const std::string& attribute, const std::string& text,
             const std::array<std::string_view, size>& words) {
-  const std::string& text = element.Text(attribute);
   const auto found = std::find(words.begin(), words.end(), text);
   if (found == words.end()) {
     element.Fail(fmt::format("{} = \"{}\" of <eod:{}>: allowed {}", attribute, text, element.name,
                              fmt::join(words, ", ")));
   }
   return static_cast<int>(found - words.begin());
+}
+
+/// The same for an attribute of one word.
+template <size_t size>
+int IndexOf(const CustomElement& element, const std::string& attribute,
+            const std::array<std::string_view, size>& words) {
+  return IndexOf(element, attribute, element.Text(attribute), words);
 }
 
 int ToMotion(const CustomElement& element, const std::string& attribute, std::string_view word) {
@@ -72,7 +85,33 @@ Part PartOf(const CustomElement& element, const std::string& attribute) {
 }
 
 IsectorMethod MethodOf(const CustomElement& element, const std::string& attribute) {
-  return static_cast<IsectorMethod>(IndexOf(element, attribute, kMethods));
+  return static_cast<IsectorMethod>(IndexOf(element, attribute, kMethodNames));
+}
+
+FaceRule FaceRuleOf(const CustomElement& element, const std::string& attribute) {
+  return static_cast<FaceRule>(IndexOf(element, attribute, kFaceRules));
+}
+
+HitRule HitRuleOf(const CustomElement& element, const std::string& attribute) {
+  return static_cast<HitRule>(IndexOf(element, attribute, kHitRules));
+}
+
+uint32_t ClassesOf(const CustomElement& element, const std::string& attribute) {
+  uint32_t classes = 0;
+  std::istringstream words(element.Text(attribute));
+  for (std::string word; words >> word;) {
+    classes |= kClassBits[IndexOf(element, attribute, word, kClasses)];
+  }
+  if (classes == 0) {
+    element.Fail(fmt::format("{} of <eod:{}> is empty: allowed {}", attribute, element.name,
+                             fmt::join(kClasses, ", ")));
+  }
+  return classes;
+}
+
+bool FlagOf(const CustomElement& element, const std::string& attribute, bool missing) {
+  if (!element.Has(attribute)) return missing;
+  return IndexOf(element, attribute, kFlags) == 1;
 }
 
 }  // namespace eod::sim

@@ -19,4 +19,16 @@ Part PartOf(const CustomElement& element, const std::string& attribute);
 /// "volume" .. "bump".
 IsectorMethod MethodOf(const CustomElement& element, const std::string& attribute);
 
+/// "two_sided", "front_only".
+FaceRule FaceRuleOf(const CustomElement& element, const std::string& attribute);
+
+/// "nearest", "highest", "all".
+HitRule HitRuleOf(const CustomElement& element, const std::string& attribute);
+
+/// "bump clamp bomb movable vessel", or some of these: their bits in object_class.h.
+uint32_t ClassesOf(const CustomElement& element, const std::string& attribute);
+
+/// "true", "false"; `missing` without the attribute.
+bool FlagOf(const CustomElement& element, const std::string& attribute, bool missing);
+
 }  // namespace eod::sim

@@ -27,9 +27,11 @@ namespace eod::sim {
 ///   model      <eod:chassis creep_mps low_mps high_mps turn_deg_per_s step_up_m fall_search_m/>
 ///   joint      <eod:motion index positive negative home_deg|home_m/>: this is J1..J9, and the two
 ///              motions that move it; <eod:follows joint scale hand/>: moved by another joint
-///   link       <eod:isector name method part motions pose coverage> with <eod:segment name start
-///              direction length d0 skin motions blocks/>: `motions` (loaded for) and `blocks`
-///              (may stop) are "M01 M03", "all" or "always"
+///   link       <eod:isector name method part motions pose coverage face hit classes> with
+///              <eod:segment name start direction length d0 skin motions blocks enabled/>:
+///              `motions` (loaded for) and `blocks` (may stop) are "M01 M03", "all" or "always";
+///              face="two_sided|front_only", hit="nearest|highest|all", classes are some of "bump
+///              clamp bomb movable vessel", enabled="true|false"
 struct CustomElement {
   std::filesystem::path file;
   int line = 0;

@@ -16,8 +16,8 @@ MAX_MAIN_LINES = 60
 _SIM_STAGES = {
     "sim/geometry": [],
     "sim/sdf": ["sim/geometry"],
-    "sim/robot": ["sim/geometry", "sim/sdf"],
     "sim/segments": ["sim/geometry"],
+    "sim/robot": ["sim/geometry", "sim/sdf", "sim/segments"],
     "sim/world": ["sim/geometry", "sim/sdf", "sim/segments"],
     "sim/motion": ["sim/geometry", "sim/robot", "sim/world"],
     "sim/isectors": ["sim/geometry", "sim/segments", "sim/robot", "sim/world", "sim/motion"],

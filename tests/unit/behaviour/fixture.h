@@ -61,18 +61,21 @@ struct Yard {
   RobotState state;
   AnalyticWorld world;
   Response response;
-  double dt_s = 0.004;
-  IsectorSet isectors{robot, kModuleFlat};
+  DistanceLaw law{.dt_s = 0.004};
+  IsectorSet isectors;
   std::vector<Eigen::Isometry3d> X_ML;
 
-  explicit Yard(const RobotModel& model) : robot(model), state(LevelFlippers(model)) {}
+  explicit Yard(const RobotModel& model, const IsectorRules& rules = {})
+      : robot(model),
+        state(LevelFlippers(model)),
+        isectors(robot, kModuleFlat, Coverage::kExtended, rules) {}
   Yard(const Yard&) = delete;
   Yard& operator=(const Yard&) = delete;
 
   void Step(const MotionDemand& wanted) {
     LinkPoses(robot, state, X_ML);
     isectors.Cast(world, X_ML, wanted.commanded | response.Watched());
-    Respond(robot, state, X_ML, isectors.segments(), wanted, dt_s, response);
+    Respond(robot, state, X_ML, isectors.segments(), wanted, law, response);
     MotionDemand allowed = wanted;
     allowed.commanded &= ~response.blocked;
     allowed.left_hand_stopped = (allowed.commanded & response.left_hand_blocked) != 0;
@@ -80,7 +83,7 @@ struct Yard {
     for (int motion = 0; motion < kMotionCount; ++motion) {
       if (!Contains(allowed.commanded, motion)) allowed.rate[motion] = 0;
     }
-    state = Advance(robot, state, allowed, dt_s);
+    state = Advance(robot, state, allowed, law.dt_s);
   }
 
   void Step(const MotionDemand& wanted, int times) {

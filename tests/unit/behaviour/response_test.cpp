@@ -24,9 +24,20 @@ TEST(DistanceThreshold, StepsUpAtTheCriticalSpeed) {
   segment.d0 = 0.12;
   segment.skin = 0.02;
   // V0 = skin / dt = 0.02 / 0.004 = 5 m/s.
-  EXPECT_EQ(DistanceThreshold(segment, 0, 0.004), 0.12);
-  EXPECT_EQ(DistanceThreshold(segment, 5.0, 0.004), 0.12);
-  EXPECT_DOUBLE_EQ(DistanceThreshold(segment, 5.001, 0.004), 0.12 + 5.001 * 0.004);
+  const DistanceLaw law{.dt_s = 0.004};
+  EXPECT_EQ(DistanceThreshold(segment, 0, law), 0.12);
+  EXPECT_EQ(DistanceThreshold(segment, 5.0, law), 0.12);
+  EXPECT_DOUBLE_EQ(DistanceThreshold(segment, 5.001, law), 0.12 + 5.001 * 0.004);
+}
+
+TEST(DistanceThreshold, StaysAtD0WithoutTheFactor) {
+  SegmentSpec segment;
+  segment.d0 = 0.12;
+  segment.skin = 0.02;
+  const DistanceLaw fixed{.dt_s = 0.004, .with_factor = false};
+  for (const double speed : {0.0, 5.001, 100.0}) {
+    EXPECT_EQ(DistanceThreshold(segment, speed, fixed), 0.12);
+  }
 }
 
 TEST(Response, StopGapKeepsTheBoundsOfEq2AtAnySpeed) {
@@ -38,16 +49,16 @@ TEST(Response, StopGapKeepsTheBoundsOfEq2AtAnySpeed) {
   for (int trial = 0; trial < 400; ++trial) {
     RobotModel robot = WithIsectors(TheRobot(), {"B1", "B2"});
     Yard yard(robot);
-    yard.dt_s = period(random);
+    yard.law.dt_s = period(random);
     // Half of the speeds up to V0, where a step is at most the skin of 20 mm.
     const double d = trial % 2 == 0 ? travel(random) : std::min(0.0199, travel(random) / 7);
-    const double v = d / yard.dt_s;
+    const double v = d / yard.law.dt_s;
     yard.robot.drive_speed = {v, v, v};
     const double wall_y = 2.0 + travel(random);
     AddWall(yard.world, {0, wall_y, 0}, {0, -1, 0});
     yard.Step(DemandFor({kDriveForward}), static_cast<int>(3.0 / d) + 2);
     const double gap = Gap(yard, wall_y);
-    if (v <= 0.02 / yard.dt_s) {
+    if (v <= 0.02 / yard.law.dt_s) {
       ++below;
       EXPECT_GT(gap, kD0 - d - 1e-9) << v;
       EXPECT_LE(gap, kD0 + 1e-9) << v;
@@ -61,6 +72,57 @@ TEST(Response, StopGapKeepsTheBoundsOfEq2AtAnySpeed) {
   }
   EXPECT_GT(below, 100);
   EXPECT_GT(above, 100);
+}
+
+TEST(Response, FixedDistancePenetratesAtSpeedAndEq2DoesNot) {
+  // The design's example: 0.67 m/s at 25 Hz is 26.8 mm a step, beyond the skin of 20 mm.
+  constexpr double kSpeed = 0.67, kPeriod = 0.04, kSkin = kD0 - kWheelRadius;
+  constexpr double kStep = kSpeed * kPeriod;
+  constexpr int kSteps = 10;
+  for (const bool with_factor : {true, false}) {
+    Yard yard(WithIsectors(TheRobot(), {"B1", "B2"}));
+    yard.law = {.dt_s = kPeriod, .with_factor = with_factor};
+    yard.robot.drive_speed = {kSpeed, kSpeed, kSpeed};
+    // The worst case: after ten steps the wall is a micrometre beyond D0.
+    const double wall_y = kWheelY + kSteps * kStep + kD0 + 1e-6;
+    AddWall(yard.world, {0, wall_y, 0}, {0, -1, 0});
+    yard.Step(DemandFor({kDriveForward}), 2 * kSteps);
+    EXPECT_TRUE(Contains(yard.response.blocked, kDriveForward));
+    const double penetration = kWheelRadius - Gap(yard, wall_y);
+    if (with_factor) {
+      EXPECT_NEAR(penetration, -kSkin, 2e-6);  // stopped before that step: D0 is left
+    } else {
+      EXPECT_NEAR(penetration, kStep - kSkin, 2e-6);  // 6.8 mm
+    }
+  }
+}
+
+TEST(Response, WithoutDynamicLoadingTheSameSegmentsBlockTheSameMotions) {
+  const RobotModel& robot = TheRobot();
+  const auto walls = [](Yard& yard) {
+    yard.world.AddPlane("ground", kModuleFlat | kBumpProxy, {0, 0, 0}, Eigen::Vector3d::UnitZ());
+    AddWall(yard.world, {0, 1.1, 0}, {0.1, -1, 0});
+    AddWall(yard.world, {-0.6, 0, 0}, {1, 0, 0});
+  };
+  Yard loaded(robot);
+  Yard all(robot, {.dynamic_loading = false});
+  walls(loaded);
+  walls(all);
+  std::mt19937 random(22);
+  for (int i = 0; i < 600; ++i) {
+    // Two motions for a while, of all 22; some of them are opposites, which is nothing to Respond.
+    const int first = static_cast<int>(random() % kMotionCount);
+    const int second = static_cast<int>(random() % kMotionCount);
+    const MotionDemand demand = DemandFor({first, second});
+    for (int step = 0; step < 10; ++step) {
+      loaded.Step(demand);
+      all.Step(demand);
+      ASSERT_EQ(loaded.response.blocked, all.response.blocked) << i << "." << step;
+      ASSERT_EQ(loaded.response.contact_parts, all.response.contact_parts) << i << "." << step;
+      ASSERT_EQ(loaded.state, all.state) << i << "." << step;
+    }
+    ASSERT_LE(loaded.isectors.segments().size(), all.isectors.segments().size());
+  }
 }
 
 TEST(Response, WallAheadNamesBothWheelsAndLeavesRetreatFree) {
@@ -143,7 +205,7 @@ TEST(Response, TwoMotionsThatPassV0OnlyTogetherAreBlockedTogether) {
   Yard yard(robot);
   // V0 = 0.02 / 0.02 = 1 m/s. Forward 0.9 m/s, and a turn that gives the right wheel 0.3 m x 1
   // rad/s.
-  yard.dt_s = 0.02;
+  yard.law.dt_s = 0.02;
   yard.robot.drive_speed = {0.9, 0.9, 0.9};
   yard.robot.turn_rate = 1.0;
   // Wheel 0.13 before the wall: alone each has D = 0.12; together |(-0.775, 1.2)| = 1.43 m/s > V0,
@@ -176,14 +238,15 @@ TEST(Response, LoweredFrontFlipperStopsOnFlatGroundAtTheGoldenAngle) {
 }
 
 TEST(Response, OutwardPushOfOneHandStopsThatHandAlone) {
-  Yard yard(WithIsectors(TheRobot(), {"B5", "B6", "B7"}));
+  RobotModel robot = WithIsectors(TheRobot(), {"B5", "B6", "B7"});
   // Let a line of the left hand look outwards, as a guard would.
-  yard.robot.isectors[FindIsector(yard.robot, "B5")].segments.push_back(
+  robot.isectors[FindIsector(robot, "B5")].segments.push_back(
       {.name = "out",
        .direction = -Eigen::Vector3d::UnitX(),
        .length = 0.3,
        .d0 = 0.05,
        .skin = 0.02});
+  Yard yard(robot);
   AddWall(yard.world, {-0.09, 0, 0}, {1, 0, 0});
   // The left hand starts at x = 0 and stops 0.05 before the wall: 40 mm open.
   yard.Step(DemandFor({kGripperOpen}), 800);

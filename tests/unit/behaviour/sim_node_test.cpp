@@ -1,5 +1,6 @@
 #include "sim/sim_node.h"
 
+#include <cmath>
 #include <utility>
 
 #include <gmock/gmock.h>
@@ -181,7 +182,12 @@ TEST_F(SimNodeTest, ScenesAreShownAtTheCamerasRateNotAtTheStepsRate) {
   EXPECT_EQ(scenes.size(), 25u);
   EXPECT_EQ(scenes[1].time - scenes[0].time, milliseconds(40));
   EXPECT_GT(scenes.back().state.position.y(), 0.2);
-  EXPECT_GT(scenes.back().segments.size(), 3u);
+  // Drawn are the segments that the motion loaded, in the colour of what they met.
+  const auto segments = dut_->simulator().isectors().segments();
+  ASSERT_EQ(scenes.back().segments.size(), segments.size());
+  for (size_t i = 0; i < segments.size(); ++i) {
+    EXPECT_EQ(scenes.back().segments[i].hit, segments[i].hit.hit);
+  }
 }
 
 class IsectorNodeTest : public SimNodeTest {
@@ -202,6 +208,58 @@ TEST_F(IsectorNodeTest, HitsAreInTheWorldFrame) {
   EXPECT_EQ(message.object[i], "wall");
   EXPECT_NEAR(message.range_m[i], 4.0 - 0.475, 1e-3);
   EXPECT_NEAR(message.start_m[i][1], TheWorld().Module(1).p_WM.y() + 0.475, 1e-9);
+  const Eigen::Vector3d p_WH = TheWorld().Module(1).p_WM + Eigen::Vector3d(0, 4.0, 0.30);
+  EXPECT_LT((Eigen::Vector3d(message.point_m[i].data()) - p_WH).norm(), 1e-3);
+  EXPECT_LT((Eigen::Vector3d(message.normal[i].data()) + Eigen::Vector3d::UnitY()).norm(), 1e-9);
+}
+
+TEST_F(IsectorNodeTest, HitsTellWhatWasMetAndByWhichMethod) {
+  Inbox<isector_hits_t> hits(lcm_, Name(kIsectorHitsChannel));
+  Tick();
+  const isector_hits_t& message = hits.messages.at(0);
+  for (int i = 0; i < message.num_segments; ++i) {
+    const bool stands = message.isector[i] == "TRIPOD";
+    EXPECT_EQ(message.method[i], stands ? "tripod" : "los");
+    ASSERT_TRUE(message.hit[i]);
+    const auto object_class = static_cast<uint32_t>(message.object_class[i]);
+    EXPECT_TRUE(Accepts(kModuleFlat | (stands ? kClampProxy : kBumpProxy), object_class));
+    const auto& triangles = TheWorld().Module(1).triangles;
+    ASSERT_LT(static_cast<size_t>(message.triangle[i]), triangles.size());
+    EXPECT_EQ(TheWorld().Module(1).objects[triangles[message.triangle[i]].object].name,
+              message.object[i]);
+  }
+}
+
+TEST_F(IsectorNodeTest, WithoutAHitThereIsNoPointAndNoObject) {
+  Inbox<isector_hits_t> hits(lcm_, Name(kIsectorHitsChannel));
+  Command({kBigArmUp}, 1);  // feelers of the hand, far from everything
+  const isector_hits_t& message = hits.messages.at(0);
+  const auto found = std::find(message.isector.begin(), message.isector.end(), "B7");
+  ASSERT_NE(found, message.isector.end());
+  const auto i = static_cast<size_t>(found - message.isector.begin());
+  EXPECT_EQ(message.method[i], "bump");
+  EXPECT_FALSE(message.hit[i]);
+  EXPECT_TRUE(std::isnan(message.range_m[i]));
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_TRUE(std::isnan(message.point_m[i][axis]));
+    EXPECT_TRUE(std::isnan(message.normal[i][axis]));
+  }
+  EXPECT_EQ(message.object[i], "");
+  EXPECT_EQ(message.object_class[i], 0);
+  EXPECT_EQ(message.triangle[i], -1);
+}
+
+TEST_F(IsectorNodeTest, ActiveIsectorsAloneArePublished) {
+  Inbox<isector_hits_t> hits(lcm_, Name(kIsectorHitsChannel));
+  Tick();
+  Command({kDriveReverse}, 1);
+  const auto has = [&](size_t step, const char* name) {
+    const auto& names = hits.messages.at(step).isector;
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  EXPECT_FALSE(has(0, "B3"));
+  EXPECT_TRUE(has(1, "B3"));
+  EXPECT_FALSE(has(1, "B1"));
 }
 
 TEST(PictureNode, PublishesJpegOnTheCamerasChannel) {

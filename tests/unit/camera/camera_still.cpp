@@ -10,6 +10,7 @@
 #include <png.h>
 
 #include "sim/camera/jpeg_encoder.h"
+#include "sim/isectors/isector_set.h"
 #include "tests/unit/camera/fixture_scene.h"
 #include "tests/unit/camera/offline_camera.h"
 
@@ -28,6 +29,7 @@ struct Options {
   double x = 0, y = 0, heading_deg = 0;
   std::vector<double> view;  // x y z heading_deg pitch_deg: a free camera instead of the robot's
   std::vector<std::string> joints;  // J8=30
+  std::vector<int> motions;         // 1 is M01: draw the isectors that these load
 };
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -49,6 +51,26 @@ void AddFreeCamera(const std::vector<double>& view, const RobotState& state, Rob
   X_MC.linear() = ToRotation({view.at(3) * kDegree, view.at(4) * kDegree, 0});
   X_MC.translation() = Eigen::Vector3d(view.at(0), view.at(1), view.at(2));
   robot.cameras.push_back({.name = "free", .link = 0, .X_LC = X_MB.inverse() * X_MC});
+}
+
+/// What the motions load, cast from the state of the snapshot. A contact is a hit below D0, as of a
+/// robot that stands still.
+void AddIsectors(const std::vector<int>& motions, const RobotModel& robot,
+                 const ModuleModel& module, SceneSnapshot& snapshot) {
+  MotionSet commanded = 0;
+  for (const int motion : motions) commanded |= SetOf(motion - 1);
+  std::vector<Eigen::Isometry3d> X_ML;
+  LinkPoses(robot, snapshot.state, X_ML);
+  IsectorSet isectors(robot, module.class_bit);
+  isectors.Cast(*BuildWorld(module), X_ML, commanded);
+  for (const CastSegment& cast : isectors.segments()) {
+    const SegmentSpec& segment = robot.isectors[cast.isector].segments[cast.segment];
+    snapshot.segments.push_back({.start = cast.query.start,
+                                 .end = cast.query.start + cast.query.direction * segment.length,
+                                 .hit = cast.hit.hit,
+                                 .contact = cast.hit.hit && cast.hit.range < segment.d0,
+                                 .point = cast.hit.point});
+  }
 }
 
 void WritePng(const std::string& file, const OfflineCamera& camera,
@@ -74,6 +96,9 @@ void Run(const Options& options) {
   snapshot.state.position = {options.x, options.y, 0};
   snapshot.state.attitude.heading = options.heading_deg * kDegree;
   for (const std::string& joint : options.joints) SetJoint(joint, snapshot.state);
+  if (!options.motions.empty()) {
+    AddIsectors(options.motions, robot, world.Module(options.module), snapshot);
+  }
   if (!options.view.empty()) AddFreeCamera(options.view, snapshot.state, robot);
   OfflineCamera camera(robot, world, options.width, options.height);
   JpegEncoder encoder(options.width, options.height, 80);
@@ -109,6 +134,8 @@ int main(int argc, char** argv) {
   app.add_option("--y", options.y, "[m]");
   app.add_option("--heading", options.heading_deg, "[deg] counter-clockwise from +Y");
   app.add_option("--joint", options.joints, "such as J8=30 [deg] or J7=0.05 [m]");
+  app.add_option("--motions", options.motions, "draw the isectors that these load: 1 is M01")
+      ->check(CLI::Range(1, eod::sim::kMotionCount));
   app.add_option("--view", options.view, "free camera: x y z heading_deg pitch_deg")->expected(5);
   CLI11_PARSE(app, argc, argv);
   try {

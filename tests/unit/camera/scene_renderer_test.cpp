@@ -166,7 +166,7 @@ TEST_F(SceneRendererTest, DrawsIsectorsByWhatTheyMet) {
                         .end = {-9.5, -8, z},
                         .hit = hit,
                         .contact = contact,
-                        .point = {-10, -8, z}};
+                        .point = {-9.5, -8, z}};
   };
   EXPECT_EQ(CountColour(Take(snapshot), kContactColour), 0);
   snapshot.segments = {line(0.3, false, false), line(0.4, true, false), line(0.5, true, true)};
@@ -175,8 +175,24 @@ TEST_F(SceneRendererTest, DrawsIsectorsByWhatTheyMet) {
   for (const uint8_t* colour : {kFreeColour, kHitColour, kContactColour}) {
     EXPECT_GT(CountColour(picture, colour), 130);
   }
-  // The crosses at the two hit points: 12 px high, so 5 px off the line they still show.
-  const RegionStatistics cross = LookAt(picture, Region{154, 100, 166, 116});
+}
+
+TEST_F(SceneRendererTest, IsectorsEndAtTheirHitsWithACross) {
+  SceneSnapshot snapshot = At(-10, -10);
+  DrawnSegment segment{.start = {-10.5, -8, 0.4}, .end = {-9.5, -8, 0.4}};
+  snapshot.segments = {segment};
+  const int whole = CountColour(Take(snapshot), kFreeColour);
+  segment.hit = true;
+  segment.point = {-10.4, -8, 0.4};
+  snapshot.segments = {segment};
+  const auto picture = Take(snapshot);
+  // A tenth of the line, and a cross of two diagonals of 12 px: 14 + 2 x 17 px of 138, of one
+  // width.
+  EXPECT_GT(CountColour(picture, kHitColour), 0);
+  EXPECT_LT(CountColour(picture, kHitColour), whole / 2);
+  EXPECT_EQ(CountColour(picture, kFreeColour), 0);
+  // The cross stands 0.4 m left of the middle, 55 px; 5 px off the line it still shows.
+  const RegionStatistics cross = LookAt(picture, Region{97, 100, 113, 116});
   EXPECT_GT(cross.deviation.maxCoeff(), 5);
 }
 

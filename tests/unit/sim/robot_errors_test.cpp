@@ -103,6 +103,56 @@ TEST_F(RobotErrors, UnknownElementOfSdfIsRefused) {
   EXPECT_THAT(Load(), AllOf(StartsWith(place), HasSubstr("geometri")));
 }
 
+TEST_F(RobotErrors, UnknownFaceRuleNamesTheTwo) {
+  const std::string place = robot_.Replace("name=\"B1\"", "name=\"B1\" face=\"back_only\"");
+  EXPECT_EQ(Load(), place + "face = \"back_only\" of <eod:isector>: allowed two_sided, front_only");
+}
+
+TEST_F(RobotErrors, UnknownHitRuleNamesTheThree) {
+  const std::string place = robot_.Replace("name=\"B1\"", "name=\"B1\" hit=\"lowest\"");
+  EXPECT_EQ(Load(), place + "hit = \"lowest\" of <eod:isector>: allowed nearest, highest, all");
+}
+
+TEST_F(RobotErrors, UnknownClassIsNamedAmongOthers) {
+  const std::string place =
+      robot_.Replace("name=\"B1\"", "name=\"B1\" classes=\"bump bombs vessel\"");
+  EXPECT_EQ(Load(), place +
+                        "classes = \"bombs\" of <eod:isector>: allowed bump, clamp, bomb, "
+                        "movable, vessel");
+}
+
+TEST_F(RobotErrors, IsectorThatLooksForNothingIsRefused) {
+  const std::string place = robot_.Replace("name=\"B1\"", "name=\"B1\" classes=\" \"");
+  EXPECT_EQ(Load(), place +
+                        "classes of <eod:isector> is empty: allowed bump, clamp, bomb, "
+                        "movable, vessel");
+}
+
+TEST_F(RobotErrors, SegmentIsEnabledOrNot) {
+  const std::string place = robot_.Replace("name=\"l4\"", "name=\"l4\" enabled=\"yes\"");
+  EXPECT_EQ(Load(), place + "enabled = \"yes\" of <eod:segment>: allowed false, true");
+}
+
+TEST_F(RobotErrors, UnknownMethodNamesTheEight) {
+  const std::string place = robot_.Replace("method=\"los\"", "method=\"laser\"");
+  EXPECT_EQ(Load(), place +
+                        "method = \"laser\" of <eod:isector>: allowed volume, hat, z, zpr, "
+                        "xyzpr, los, tripod, bump");
+}
+
+TEST_F(RobotErrors, NumberOfSegmentsIsTheMethods) {
+  const std::string place = robot_.Replace("method=\"los\"", "method=\"tripod\"");
+  robot_.Replace("name=\"+Y\" direction=\"0 1 0\" length=\"10\" d0=\"0.05\" skin=\"0.05\"",
+                 "name=\"+Y\"");
+  EXPECT_EQ(Load(), place + "isector LOS_FRONT: 1 segments, method tripod has 3..3");
+}
+
+TEST_F(RobotErrors, TripodThatSpansNoPlaneIsRefused) {
+  robot_.Replace("name=\"rear\" start=\"0 -0.375 0\"", "name=\"rear\" start=\"0 0.375 0\"");
+  EXPECT_EQ(Load(), robot_.PlaceOf("<eod:isector name=\"TRIPOD\"") +
+                        "isector TRIPOD: its legs stand in one line, method tripod needs a plane");
+}
+
 TEST_F(RobotErrors, UnknownMotionIsRefused) {
   const std::string place = robot_.Replace("motions=\"M02\"", "motions=\"M02 M23\"");
   EXPECT_THAT(Load(), AllOf(StartsWith(place), HasSubstr("\"M23\""), HasSubstr("M01..M22")));

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/geometry/object_class.h"
+#include "tests/unit/sim/edited_file.h"
 
 namespace eod::sim {
 namespace {
@@ -104,6 +105,34 @@ TEST(RobotModel, TripodReachesFromTheStepLimitDownToTheFallSearch) {
     EXPECT_DOUBLE_EQ(leg.length, 3.45);
     EXPECT_EQ(leg.direction, -Eigen::Vector3d::UnitZ());
   }
+}
+
+TEST(RobotModel, IsectorsLookForWhatTheirMethodUsuallyDoes) {
+  for (const IsectorSpec& isector : Robot().isectors) {
+    const bool ground = isector.method == IsectorMethod::kTripod;
+    EXPECT_EQ(isector.class_mask,
+              ground ? kClampProxy : kBumpProxy | kBombObject | kMovableObject | kContainmentVessel)
+        << isector.name;
+    EXPECT_EQ(isector.hit_rule, ground ? HitRule::kHighest : HitRule::kNearest) << isector.name;
+    EXPECT_EQ(isector.face_rule, FaceRule::kTwoSided) << isector.name;
+    for (const SegmentSpec& segment : isector.segments) EXPECT_TRUE(segment.enabled);
+  }
+}
+
+TEST(RobotModel, IsectorsLookAsTheFileTellsThem) {
+  EditedFile file(EOD_DATA_DIR "/sim/robots/eod_robot.sdf");
+  file.Replace("name=\"B1\"",
+               "name=\"B1\" face=\"front_only\" hit=\"all\" classes=\"bomb vessel\"");
+  file.Replace("name=\"l4\"", "name=\"l4\" enabled=\"false\"");
+  file.Replace("name=\"front_right\"", "name=\"front_right\" enabled=\"false\"");
+  const RobotModel robot = LoadRobot(file.file());
+  const IsectorSpec& b1 = robot.isectors[FindIsector(robot, "B1")];
+  EXPECT_EQ(b1.face_rule, FaceRule::kFrontOnly);
+  EXPECT_EQ(b1.hit_rule, HitRule::kAll);
+  EXPECT_EQ(b1.class_mask, kBombObject | kContainmentVessel);
+  EXPECT_FALSE(robot.isectors[FindIsector(robot, "B6")].segments[0].enabled);
+  EXPECT_TRUE(robot.isectors[FindIsector(robot, "B6")].segments[1].enabled);
+  EXPECT_FALSE(robot.isectors[FindIsector(robot, "TRIPOD")].segments[1].enabled);
 }
 
 TEST(RobotModel, HasFourCamerasThatLookWhereTheyShould) {

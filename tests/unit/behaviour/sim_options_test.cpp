@@ -1,0 +1,42 @@
+#include "programs/sim_options.h"
+
+#include <CLI/CLI.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace eod::sim {
+namespace {
+
+using testing::HasSubstr;
+
+SimOptions Parse(const std::string& command_line) {
+  SimOptions options;
+  CLI::App app;
+  AddSimOptions(app, options);
+  app.parse(command_line);
+  return options;
+}
+
+TEST(SimOptions, AllIsectorRulesAreInForceAndDescribed) {
+  const SimOptions options = Parse("");
+  EXPECT_TRUE(options.node.simulator.rules.module_masks);
+  EXPECT_TRUE(options.node.simulator.rules.dynamic_loading);
+  EXPECT_TRUE(options.node.simulator.rules.distance_factor);
+  EXPECT_THAT(Describe(options),
+              HasSubstr("extended; module masks on, dynamic loading on, distance by Eq. 2\n"));
+}
+
+TEST(SimOptions, EachIsectorRuleCanBeLeftOut) {
+  const SimOptions unmasked = Parse("--no-module-masks");
+  EXPECT_FALSE(unmasked.node.simulator.rules.module_masks);
+  EXPECT_THAT(Describe(unmasked), HasSubstr("module masks off, dynamic loading on, distance by"));
+  const SimOptions loaded = Parse("--no-dynamic-loading --coverage paper");
+  EXPECT_FALSE(loaded.node.simulator.rules.dynamic_loading);
+  EXPECT_THAT(Describe(loaded), HasSubstr("paper; module masks on, dynamic loading off, distance"));
+  const SimOptions fixed = Parse("--fixed-distance");
+  EXPECT_FALSE(fixed.node.simulator.rules.distance_factor);
+  EXPECT_THAT(Describe(fixed), HasSubstr("dynamic loading on, fixed distance D0\n"));
+}
+
+}  // namespace
+}  // namespace eod::sim
