@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/world/segment_triangle.h"
+#include "sim/segments/exact_test.h"
 #include "tests/unit/sim/bullet_scene.h"
 
 namespace eod::sim {
@@ -35,8 +35,8 @@ SegmentQuery RandomQuery(const ModuleModel& module, SeededNumbers& numbers) {
 
 /// Whether the hit is one of those that Bullet finds a little outside of a triangle.
 bool BeyondTheEdge(const ModuleModel& module, const SegmentQuery& query, const SegmentHit& hit) {
-  const PreparedSegment segment(query.start, query.direction, query.length, query.face_rule);
-  return !segment.Meet(module.triangles[static_cast<size_t>(hit.triangle)].corner);
+  const auto& [a, b, c] = module.triangles[static_cast<size_t>(hit.triangle)].corner;
+  return !Meet(query, a, b, c);
 }
 
 TEST(BulletComparison, TrianglesAreMetAlikeOverFiftyThousandSegments) {
