@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "sim/segments/block_tree.h"
@@ -26,10 +27,11 @@ struct alignas(32) SegmentPacket {
   float pair_high[3][4];
   float low[3];  ///< box round all of them, rounded outwards
   float high[3];
-  float longest = 0;    ///< length of the longest way
-  float diagonal = 0;   ///< of the box
-  int pairs = 0;        ///< in use
-  uint32_t places = 0;  ///< bit i: place i is in use
+  float longest = 0;   ///< length of the longest way
+  float diagonal = 0;  ///< of the box
+  int pairs = 0;       ///< in use
+  uint32_t places;     ///< bit i: place i is in use
+  uint32_t segments;
 
   static constexpr int PlaceOf(int segment) { return segment / 2 + 4 * (segment % 2); }
   static constexpr int SegmentAt(int place) { return 2 * (place % 4) + place / 4; }
@@ -84,6 +86,7 @@ struct NearBlock {
 /// A box of a list that a packet comes near, and which of its pairs do: bit 8 i for pair i.
 struct NearBox {
   int32_t index;
+  int32_t packet;  ///< in the list of packets
   uint32_t pairs;
 };
 
@@ -94,9 +97,9 @@ struct Candidate {
   int16_t places;    ///< bit by bit
 };
 
-/// What a packet's way through many blocks at once takes.
+/// What the way of packets through many blocks at once takes.
 struct PacketWork {
-  static constexpr int kMostBoxes = 64;  ///< near boxes at once
+  static constexpr int kMostBoxes = 128;  ///< near boxes at once
   struct Near {
     const float* corner;  ///< first coordinate of its first corner
     int32_t box;
@@ -130,17 +133,20 @@ struct Kernels {
   /// of them is not finite, not unit to 1e-6 or of negative length.
   bool (*Pack)(const double* const* segments, int count, const double* origin, float margin,
                SegmentPacket& packet);
-  /// Boxes that meet a pair of the packet; returns how many. `found` has room for all.
-  int (*OverlappingBoxes)(const BoxColumns& boxes, const SegmentPacket& packet, NearBox* found);
+  /// Boxes that meet a pair of the packet of that number; returns how many. `found` has room for
+  /// all.
+  int (*OverlappingBoxes)(const BoxColumns& boxes, const SegmentPacket& packet, int number,
+                          NearBox* found);
   /// Bit mask of the node's children that meet the box low..high.
   uint32_t (*OverlappingChildren)(const Node& node, const float* low, const float* high);
   /// Bit mask of the children that the line enters before `reach`, and where.
   uint32_t (*EnteredChildren)(const Node& node, const Line& line, float reach, float* enter);
-  /// Triangles that the packet's segments may meet in the near boxes, which are `count` <=
-  /// PacketWork::kMostBoxes; returns how many entries of `work.candidates` were filled. `tested`
-  /// counts triangles offered, times segments.
-  int (*TestPacket)(const Block* blocks, const NearBlock* near, const NearBox* boxes, int count,
-                    const SegmentPacket& packet, PacketWork& work, uint64_t& tested);
+  /// Triangles that the packets' segments may meet in their near boxes, which are `count` <=
+  /// PacketWork::kMostBoxes; returns how many entries of `work.candidates` were filled. Packets are
+  /// `stride` bytes apart. `tested` counts triangles offered, times segments.
+  int (*TestPackets)(const Block* blocks, const NearBlock* near, const NearBox* boxes, int count,
+                     const SegmentPacket* packets, size_t stride, PacketWork& work,
+                     uint64_t& tested);
   /// Bit mask of the block's triangles that the line may meet.
   uint32_t (*TestLine)(const Block& block, const BlockPlace& place, const LinePiece& line,
                        float error);

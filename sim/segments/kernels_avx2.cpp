@@ -2,7 +2,7 @@
 
 namespace eod::sim {
 
-const Kernels kAvx2Kernels = {Pack,       OverlappingBoxes, OverlappingChildren, EnteredChildren,
-                              TestPacket, TestLine};
+const Kernels kAvx2Kernels = {Pack,        OverlappingBoxes, OverlappingChildren, EnteredChildren,
+                              TestPackets, TestLine};
 
 }  // namespace eod::sim

@@ -98,13 +98,15 @@ bool Pack(const double* const* segments, int count, const double* origin, float 
     packet.diagonal += packet.high[axis] - packet.low[axis];
   }
   packet.longest = static_cast<float>(longest) * (1 + 1e-6F);
+  packet.segments = static_cast<uint32_t>(count);
   packet.places = ((1u << packet.pairs) - 1) | ((1u << count / 2) - 1) << 4;
   constexpr float kUnit = 1e-6F, kTiny = 1e-30F;  // the latter for lengths of 0
   return shortest >= 0 && AllWithin(deviation[0], ways[0][3] * kUnit + kTiny) &&
          AllWithin(deviation[1], ways[1][3] * kUnit + kTiny);
 }
 
-int OverlappingBoxes(const BoxColumns& boxes, const SegmentPacket& packet, NearBox* found) {
+int OverlappingBoxes(const BoxColumns& boxes, const SegmentPacket& packet, int number,
+                     NearBox* found) {
   const Points bottom = AllPoints(packet.low), top = AllPoints(packet.high);
   int count = 0;
   for (int at = 0; at < boxes.count; at += Lanes::kWidth) {
@@ -121,7 +123,7 @@ int OverlappingBoxes(const BoxColumns& boxes, const SegmentPacket& packet, NearB
     any = (any | any >> 8) & 0xFF;
     for (; any != 0; any &= any - 1) {
       const int i = __builtin_ctz(any);
-      found[count++] = {at + i, near >> i & 0x01010101u};
+      found[count++] = {at + i, number, near >> i & 0x01010101u};
     }
   }
   return count;
@@ -178,30 +180,45 @@ struct TriangleLanes {
   }
 };
 
+inline const SegmentPacket& PacketOf(const SegmentPacket* packets, size_t stride, int number) {
+  const char* first = reinterpret_cast<const char*>(packets);
+  return *reinterpret_cast<const SegmentPacket*>(first + static_cast<size_t>(number) * stride);
+}
+
 /// The triangles of the boxes that come near a pair.
 int CullTriangles(const Block* blocks, const NearBlock* near, const NearBox* boxes, int count,
-                  const SegmentPacket& packet, PacketWork& work) {
+                  const SegmentPacket* packets, size_t stride, PacketWork& work, uint64_t& tested) {
   int all = 0;
   for (int i = 0; i < count; ++i) {
+    const SegmentPacket& packet = PacketOf(packets, stride, boxes[i].packet);
     const NearBlock& block = near[boxes[i].index];
     const Block& corners = blocks[block.block];
     work.side_slack[i] =
         packet.longest * (block.slack.side[0] * packet.diagonal + block.slack.side[1]);
     work.range_slack[i] =
         block.slack.range[0] * packet.diagonal + block.slack.range[1] + work.side_slack[i];
-    const Points less = AllPoints(block.low), more = AllPoints(block.high);
-    uint32_t triangles = 0;
-    for (int at = 0; at < kBlockSize && block.triangles >> at != 0; at += Lanes::kWidth) {
-      const TriangleLanes triangle(corners, at);
-      const Points low = triangle.Low() + less, high = triangle.High() + more;
-      Lanes meets = Lanes::All(0);
-      for (uint32_t rest = boxes[i].pairs; rest != 0; rest &= rest - 1) {
-        const int pair = __builtin_ctz(rest) / 8;
-        meets = meets | Overlap(low, high, PairLow(packet, pair), PairHigh(packet, pair));
-      }
-      triangles |= Bits(meets) << at;
+    constexpr int kParts = kBlockSize / Lanes::kWidth;
+    Points low[kParts], high[kParts];
+    Lanes meets[kParts];
+    for (int part = 0; part < kParts; ++part) {
+      const TriangleLanes triangle(corners, part * Lanes::kWidth);
+      low[part] = triangle.Low() + AllPoints(block.low);
+      high[part] = triangle.High() + AllPoints(block.high);
+      meets[part] = Lanes::All(0);
     }
-    for (triangles &= block.triangles; triangles != 0; triangles &= triangles - 1) {
+    for (uint32_t rest = boxes[i].pairs; rest != 0; rest &= rest - 1) {
+      const int pair = __builtin_ctz(rest) / 8;
+      const Points bottom = PairLow(packet, pair), top = PairHigh(packet, pair);
+      for (int part = 0; part < kParts; ++part) {
+        meets[part] = meets[part] | Overlap(low[part], high[part], bottom, top);
+      }
+    }
+    uint32_t triangles = 0;
+    for (int part = 0; part < kParts; ++part)
+      triangles |= Bits(meets[part]) << part * Lanes::kWidth;
+    triangles &= block.triangles;
+    tested += static_cast<uint64_t>(__builtin_popcount(triangles)) * packet.segments;
+    for (; triangles != 0; triangles &= triangles - 1) {
       const int triangle = __builtin_ctz(triangles);
       work.near[all++] = {corners.corner[0][0] + triangle, i, triangle};
     }
@@ -215,24 +232,24 @@ inline Points CornerOf(const float* first, int corner) {
   return {Lanes::All(at[0]), Lanes::All(at[kBlockSize]), Lanes::All(at[2 * kBlockSize])};
 }
 
-int TestPacket(const Block* blocks, const NearBlock* near, const NearBox* boxes, int count,
-               const SegmentPacket& packet, PacketWork& work, uint64_t& tested) {
-  const int all = CullTriangles(blocks, near, boxes, count, packet, work);
-  tested += static_cast<uint64_t>(all) * static_cast<uint64_t>(__builtin_popcount(packet.places));
+int TestPackets(const Block* blocks, const NearBlock* near, const NearBox* boxes, int count,
+                const SegmentPacket* packets, size_t stride, PacketWork& work, uint64_t& tested) {
+  const int all = CullTriangles(blocks, near, boxes, count, packets, stride, work, tested);
   int found = 0;
   for (int i = 0; i < all; ++i) {
     const auto& [first, box, triangle] = work.near[i];
+    const SegmentPacket* packet = &PacketOf(packets, stride, boxes[box].packet);
     const Slack slack = {work.side_slack[box], work.range_slack[box]};
     const Points a = CornerOf(first, 0);
     const Points edge_1 = CornerOf(first, 1) - a, edge_2 = CornerOf(first, 2) - a;
     const Points from = a + AllPoints(near[boxes[box].index].offset);
     uint32_t places = 0;
     for (int at = 0; at < 8; at += Lanes::kWidth) {
-      places |= MayMeet(LoadPoints(packet.start, at), LoadPoints(packet.way, at), from, edge_1,
+      places |= MayMeet(LoadPoints(packet->start, at), LoadPoints(packet->way, at), from, edge_1,
                         edge_2, slack)
                 << at;
     }
-    places &= packet.places;
+    places &= packet->places;
     // Without a branch: guessing wrong would cost more than the test.
     work.candidates[found] = {box, static_cast<int16_t>(triangle), static_cast<int16_t>(places)};
     found += places != 0 ? 1 : 0;

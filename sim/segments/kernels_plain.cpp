@@ -2,7 +2,7 @@
 
 namespace eod::sim {
 
-const Kernels kPlainKernels = {Pack,       OverlappingBoxes, OverlappingChildren, EnteredChildren,
-                               TestPacket, TestLine};
+const Kernels kPlainKernels = {Pack,        OverlappingBoxes, OverlappingChildren, EnteredChildren,
+                               TestPackets, TestLine};
 
 }  // namespace eod::sim

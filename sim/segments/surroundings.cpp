@@ -24,7 +24,7 @@ float RoundedUp(double value) { return std::nextafter(static_cast<float>(value),
 void Surroundings::Reserve() {
   if (!columns_.empty()) return;
   entries_.reserve(kMaxBlocks);
-  found_.resize(kMaxBlocks);
+  found_.resize(size_t{2} * kMaxBlocks + 1);
   work_.resize(1);
   columns_.resize(size_t{6} * kMaxBlocks);
   for (size_t axis = 0; axis < 3; ++axis) {

@@ -33,7 +33,7 @@ class Surroundings {
   const Eigen::Vector3d& origin() const { return origin_; }
   const BoxColumns& boxes() const { return boxes_; }
   const NearBlock* blocks() const { return entries_.data(); }  ///< one a box
-  /// Room for all boxes, and for what comes of them.
+  /// Room for all boxes twice, and for what comes of them.
   NearBox* found() { return found_.data(); }
   PacketWork& work() { return work_[0]; }
 

@@ -14,7 +14,7 @@ void TriangleChoice::Offer(const BlockTree& tree, size_t block, int place, int q
       Meet(*query_, corner[exact.vertex[0]], corner[exact.vertex[1]], corner[exact.vertex[2]]);
   if (!range) return;
   if (query_->hit_rule == HitRule::kAll) {
-    memory.all.push_back({query, HitAt(tree, block, place, *range)});
+    HitAt(tree, block, place, *range, memory.all.emplace_back(ListedHit{query, {}}).hit);
   }
   const double rank = Rank(*query_, *range);
   const Surface& surface = tree.surfaces[exact.surface];
@@ -31,23 +31,23 @@ void TriangleChoice::Offer(const BlockTree& tree, size_t block, int place, int q
   place_ = place;
 }
 
-SegmentHit TriangleChoice::Hit(const BlockTree& tree) const {
-  return HitAt(tree, block_, place_, range_);
+void TriangleChoice::Answer(const BlockTree& tree, SegmentHit& hit) const {
+  HitAt(tree, block_, place_, range_, hit);
 }
 
-SegmentHit TriangleChoice::HitAt(const BlockTree& tree, size_t block, int place,
-                                 double range) const {
+void TriangleChoice::HitAt(const BlockTree& tree, size_t block, int place, double range,
+                           SegmentHit& hit) const {
   const ExactTriangle& exact = tree.triangles[block * kBlockSize + static_cast<size_t>(place)];
   const Eigen::Vector3d* corner = &tree.vertices[tree.places[block].first_vertex];
   const Eigen::Vector3d& a = corner[exact.vertex[0]];
   const Surface& surface = tree.surfaces[exact.surface];
-  return {.hit = true,
-          .point = query_->start + range * query_->direction,
-          .normal = (corner[exact.vertex[1]] - a).cross(corner[exact.vertex[2]] - a).normalized(),
-          .range = range,
-          .object = surface.object,
-          .object_class = surface.class_mask,
-          .triangle = exact.triangle};
+  hit.hit = true;
+  hit.point = query_->start + range * query_->direction;
+  hit.normal = (corner[exact.vertex[1]] - a).cross(corner[exact.vertex[2]] - a).normalized();
+  hit.range = range;
+  hit.object = surface.object;
+  hit.object_class = surface.class_mask;
+  hit.triangle = exact.triangle;
 }
 
 }  // namespace eod::sim

@@ -24,10 +24,10 @@ class TriangleChoice {
   bool found() const { return triangle_ >= 0; }
   double range() const { return range_; }
   /// The answer, if there is one.
-  SegmentHit Hit(const BlockTree& tree) const;
+  void Answer(const BlockTree& tree, SegmentHit& hit) const;
 
  private:
-  SegmentHit HitAt(const BlockTree& tree, size_t block, int place, double range) const;
+  void HitAt(const BlockTree& tree, size_t block, int place, double range, SegmentHit& hit) const;
 
   const SegmentQuery* query_;
   double rank_, range_;

@@ -1,10 +1,11 @@
 #include "sim/segments/triangle_engine.h"
 
+#include <algorithm>
 #include <atomic>
 
 #include "sim/segments/hit_choice.h"
 #include "sim/segments/line_walk.h"
-#include "sim/segments/packet_cast.h"
+#include "sim/segments/packet_batch.h"
 
 namespace eod::sim {
 
@@ -54,20 +55,20 @@ void TriangleEngine::Cast(std::span<const SegmentQuery> queries, std::span<Segme
                           CastMemory& memory) const {
   memory.counters.segments += queries.size();
   memory.all.clear();
+  PacketBatch batch(tree_, *kernels_, queries, hits, memory);
   for (size_t i = 0; i < queries.size();) {
     size_t end = i;
     while (end < queries.size() && end < i + kLanes && IsShort(queries[end]) &&
            GoTogether(queries[i], queries[end])) {
       hits[end++] = SegmentHit{};
     }
-    if (end > i) {
-      CastShort(queries, i, end, hits, memory);
-      i = end;
-    } else {
-      CastAlone(queries[i], i, hits[i], memory);
-      ++i;
+    if (end == i || !CastPacket(queries, i, end, batch, memory)) {
+      end = std::max(end, i + 1);
+      for (size_t one = i; one < end; ++one) CastAlone(queries[one], one, hits[one], memory);
     }
+    i = end;
   }
+  batch.Run();
   if (!memory.all.empty()) SortListed(memory);
 }
 
@@ -80,31 +81,23 @@ void TriangleEngine::CastAlone(const SegmentQuery& query, size_t index, SegmentH
   }
   TriangleChoice choice(query);
   WalkAlong(tree_, *kernels_, query, static_cast<int>(index), choice, memory);
-  if (choice.found()) hit = choice.Hit(tree_);
+  if (choice.found()) choice.Answer(tree_, hit);
 }
 
-void TriangleEngine::CastShort(std::span<const SegmentQuery> queries, size_t first, size_t end,
-                               std::span<SegmentHit> hits, CastMemory& memory) const {
+/// False if the queries have to be cast one by one.
+bool TriangleEngine::CastPacket(std::span<const SegmentQuery> queries, size_t first, size_t end,
+                                PacketBatch& batch, CastMemory& memory) const {
   Surroundings& near = memory.surroundings;
-  const auto group = queries.subspan(first, end - first);
-  bool worth_a_list = !near.IsOf(revision_);
   if (near.IsOf(revision_)) {
-    const PacketCast packet(*kernels_, group, static_cast<int>(first), near.origin());
-    const bool covered = packet.valid() && near.Covers(packet.packet());
-    if (covered && near.usable()) {
-      packet.Run(tree_, memory, hits.subspan(first));
-      return;
-    }
-    worth_a_list = packet.valid() && !covered;
+    const PacketBatch::Answer answer = batch.Add(first, end);
+    if (answer != PacketBatch::Answer::kUncovered) return answer == PacketBatch::Answer::kAdded;
   }
-  if (const AlignedBox3d box = BoxOfShort(group);
-      worth_a_list && !box.isEmpty() && near.IsWorthGathering(box)) {
-    near.Gather(tree_, *kernels_, BoxOfShort(queries), revision_);
-    ++memory.counters.refills;
-    CastShort(queries, first, end, hits, memory);
-    return;
-  }
-  for (size_t i = first; i < end; ++i) CastAlone(queries[i], i, hits[i], memory);
+  const AlignedBox3d box = BoxOfShort(queries.subspan(first, end - first));
+  if (box.isEmpty() || !near.IsWorthGathering(box)) return false;
+  batch.Run();
+  near.Gather(tree_, *kernels_, BoxOfShort(queries), revision_);
+  ++memory.counters.refills;
+  return near.usable() && batch.Add(first, end) == PacketBatch::Answer::kAdded;
 }
 
 }  // namespace eod::sim

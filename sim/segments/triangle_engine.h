@@ -9,6 +9,8 @@
 
 namespace eod::sim {
 
+class PacketBatch;
+
 /// Segments against triangles that stand still.
 ///
 /// Short segments of one isector go as a packet of up to eight through the blocks round the reader;
@@ -34,8 +36,8 @@ class TriangleEngine {
  private:
   void CastAlone(const SegmentQuery& query, size_t index, SegmentHit& hit,
                  CastMemory& memory) const;
-  void CastShort(std::span<const SegmentQuery> queries, size_t first, size_t end,
-                 std::span<SegmentHit> hits, CastMemory& memory) const;
+  bool CastPacket(std::span<const SegmentQuery> queries, size_t first, size_t end,
+                  PacketBatch& batch, CastMemory& memory) const;
 
   BlockTree tree_;
   const Kernels* kernels_;
