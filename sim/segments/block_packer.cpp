@@ -1,6 +1,7 @@
 #include "sim/segments/block_packer.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace eod::sim {
@@ -11,6 +12,12 @@ namespace {
 
 float RoundedUp(double value) {
   return std::nextafter(static_cast<float>(value), std::numeric_limits<float>::infinity());
+}
+
+/// Pages that were never written to cost nothing; copying the others does.
+template <typename Element>
+void ShrinkIfMuchIsUnused(std::vector<Element>& list) {
+  if (list.capacity() > list.size() + list.size() / 4) list.shrink_to_fit();
 }
 
 double LongestEdge(const Triangle& corner) {
@@ -53,6 +60,7 @@ int32_t BlockPacker::Pack(std::span<const Item> items) {
   const auto index = static_cast<int32_t>(tree_.blocks.size());
   BlockPlace place = PlaceOf(items);
   Block& block = tree_.blocks.emplace_back();
+  BlockVertices vertices(tree_.vertices);
   for (size_t i = 0; i < kBlockSize; ++i) {
     const Item& item = items[i < items.size() ? i : 0];
     const CollisionTriangle& triangle = triangles_[item.index()];
@@ -61,7 +69,7 @@ int32_t BlockPacker::Pack(std::span<const Item> items) {
     exact.surface = SurfaceIndex(triangle);
     place.classes |= triangle.class_mask;
     for (size_t corner = 0; corner < 3; ++corner) {
-      exact.vertex[corner] = VertexIndex(place.first_vertex, triangle.corner[corner]);
+      exact.vertex[corner] = vertices.IndexOf(triangle.corner[corner]);
       const Vector3d local = triangle.corner[corner] - place.origin;
       for (int axis = 0; axis < 3; ++axis) {
         block.corner[corner][axis][i] = static_cast<float>(local[axis]);
@@ -73,17 +81,23 @@ int32_t BlockPacker::Pack(std::span<const Item> items) {
   return index;
 }
 
-uint8_t BlockPacker::VertexIndex(uint32_t first_vertex, const Vector3d& corner) {
-  auto& vertices = tree_.vertices;
-  // Neighbours come one after the other: the last corners are the likely ones.
-  for (size_t i = vertices.size(); i > first_vertex; --i) {
-    const Vector3d& known = vertices[i - 1];
+uint8_t BlockVertices::IndexOf(const Vector3d& corner) {
+  // Odd factors spread coordinates that differ in few bits; the highest bits of the product depend
+  // on all.
+  const uint64_t bits = std::bit_cast<uint64_t>(corner.x()) * 0x9E3779B97F4A7C15u +
+                        std::bit_cast<uint64_t>(corner.y()) * 0xC2B2AE3D27D4EB4Fu +
+                        std::bit_cast<uint64_t>(corner.z()) * 0x165667B19E3779F9u;
+  for (size_t slot = (bits * 0x9E3779B97F4A7C15u) >> 57;; slot = (slot + 1) % slots_.size()) {
+    if (slots_[slot] == kFree) {
+      slots_[slot] = static_cast<uint8_t>(vertices_.size() - first_);
+      vertices_.push_back(corner);
+      return slots_[slot];
+    }
+    const Vector3d& known = vertices_[first_ + slots_[slot]];
     if (known.x() == corner.x() && known.y() == corner.y() && known.z() == corner.z()) {
-      return static_cast<uint8_t>(i - 1 - first_vertex);
+      return slots_[slot];
     }
   }
-  vertices.push_back(corner);
-  return static_cast<uint8_t>(vertices.size() - 1 - first_vertex);
 }
 
 uint32_t BlockPacker::SurfaceIndex(const CollisionTriangle& triangle) {
@@ -97,17 +111,17 @@ uint32_t BlockPacker::SurfaceIndex(const CollisionTriangle& triangle) {
 }
 
 void BlockPacker::Finish() {
-  tree_.nodes.shrink_to_fit();
-  tree_.blocks.shrink_to_fit();
-  tree_.places.shrink_to_fit();
-  tree_.triangles.shrink_to_fit();
-  tree_.vertices.shrink_to_fit();
+  ShrinkIfMuchIsUnused(tree_.nodes);
+  ShrinkIfMuchIsUnused(tree_.blocks);
+  ShrinkIfMuchIsUnused(tree_.places);
+  ShrinkIfMuchIsUnused(tree_.triangles);
+  ShrinkIfMuchIsUnused(tree_.vertices);
 }
 
 size_t BlockTree::Bytes() const {
-  return nodes.capacity() * sizeof(Node) + blocks.capacity() * sizeof(Block) +
-         places.capacity() * sizeof(BlockPlace) + triangles.capacity() * sizeof(ExactTriangle) +
-         vertices.capacity() * sizeof(Vector3d) + surfaces.capacity() * sizeof(Surface);
+  return nodes.size() * sizeof(Node) + blocks.size() * sizeof(Block) +
+         places.size() * sizeof(BlockPlace) + triangles.size() * sizeof(ExactTriangle) +
+         vertices.size() * sizeof(Vector3d) + surfaces.size() * sizeof(Surface);
 }
 
 }  // namespace eod::sim

@@ -1,10 +1,30 @@
 #pragma once
 
+#include <array>
 #include <unordered_map>
 
 #include "sim/segments/split.h"
 
 namespace eod::sim {
+
+/// The corners of one block, each once: at most 48, found again by a hash of their bits.
+class BlockVertices {
+ public:
+  explicit BlockVertices(std::vector<Eigen::Vector3d>& vertices)
+      : vertices_(vertices), first_(vertices.size()) {}
+  /// Place of this corner among those of the block.
+  uint8_t IndexOf(const Eigen::Vector3d& corner);
+
+ private:
+  static constexpr uint8_t kFree = 0xFF;
+  std::vector<Eigen::Vector3d>& vertices_;
+  size_t first_;
+  std::array<uint8_t, 128> slots_ = [] {
+    std::array<uint8_t, 128> slots{};
+    slots.fill(kFree);
+    return slots;
+  }();
+};
 
 /// Turns neighbours into blocks: float coordinates for culling, corners in double for the exact
 /// test, each corner once.
@@ -21,7 +41,6 @@ class BlockPacker {
 
  private:
   uint32_t SurfaceIndex(const CollisionTriangle& triangle);
-  uint8_t VertexIndex(uint32_t first_vertex, const Eigen::Vector3d& corner);
   BlockPlace PlaceOf(std::span<const Item> items) const;
 
   std::span<const CollisionTriangle> triangles_;

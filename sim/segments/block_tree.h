@@ -72,7 +72,7 @@ struct BlockTree {
   std::vector<Surface> surfaces;
   double reach = 0;  ///< [m] largest coordinate of all, either sign
 
-  size_t Bytes() const;
+  size_t Bytes() const;  ///< in use
 };
 
 /// Builds the tree by a binned surface-area heuristic; the same triangles always give the same

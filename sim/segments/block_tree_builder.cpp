@@ -192,8 +192,8 @@ void Builder::AddChild(int32_t node, int place, const Box4& box, int32_t child) 
 }
 
 void Builder::Reserve() {
-  const size_t blocks = items_.size() / 11 + 1;
-  tree_.nodes.reserve(blocks / 5 + 1);
+  const size_t blocks = items_.size() / 12 + 1;
+  tree_.nodes.reserve(blocks / 3 + 1);
   packer_.Reserve(blocks);
 }
 
