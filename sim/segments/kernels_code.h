@@ -52,57 +52,75 @@ inline Points PairHigh(const SegmentPacket& packet, int pair) {
           Lanes::All(packet.pair_high[2][pair])};
 }
 
-bool Pack(const double* const* segments, int count, const double* origin, float margin,
-          SegmentPacket& packet) {
-  Four start[8], way[8];
-  double longest = 0, shortest = 0;
-  packet.pairs = (count + 1) / 2;
-  for (int pair = 0; pair < packet.pairs; ++pair) {
-    for (const int i : {pair, pair + 4}) {
+/// A packet's numbers, coordinate by coordinate: firsts of the pairs, then seconds. The fourth
+/// column of a way is its length squared.
+struct PacketColumns {
+  Four start[2][4], way[2][4];
+
+  PacketColumns(const double* const* segments, const double* origin) {
+    Four starts[8], ways[8];
+    for (int i = 0; i < 8; ++i) {
       const double* at = segments[i];
-      const double length = at[SegmentNumbers::kLength];
-      start[i] = RoundedDifference(at + SegmentNumbers::kStart, origin);
-      way[i] = RoundedProduct(at + SegmentNumbers::kDirection, length);
-      longest = length > longest ? length : longest;
-      shortest = length < shortest ? length : shortest;
+      starts[i] = RoundedDifference(at + SegmentNumbers::kStart, origin);
+      ways[i] = RoundedProduct(at + SegmentNumbers::kDirection, at[SegmentNumbers::kLength]);
+    }
+    for (int half = 0; half < 2; ++half) {
+      Transpose(starts + 4 * half, start[half]);
+      Transpose(ways + 4 * half, way[half]);
     }
   }
-  for (int pair = packet.pairs; pair < 4; ++pair) {
-    start[pair] = start[pair + 4] = start[0];
-    way[pair] = way[pair + 4] = way[0];
+
+  /// Whether all are finite and as long as they say. Not finite times 0 is NaN, and equals nothing.
+  bool AreValid() const {
+    constexpr float kUnit = 1e-6F, kTiny = 1e-30F;  // the latter for lengths of 0
+    bool valid = true;
+    for (int half = 0; half < 2; ++half) {
+      const Four squared_length = way[half][3];
+      Four deviation = -squared_length;
+      for (int axis = 0; axis < 3; ++axis) {
+        deviation += way[half][axis] * way[half][axis] + start[half][axis] * 0.0F;
+      }
+      valid &= AllWithin(deviation, squared_length * kUnit + kTiny);
+    }
+    return valid;
   }
-  Four starts[2][4], ways[2][4];
-  for (int half = 0; half < 2; ++half) {
-    Transpose(start + 4 * half, starts[half]);
-    Transpose(way + 4 * half, ways[half]);
-  }
-  // The fourth of a way is its length squared. Not finite times 0 is NaN, and equals nothing.
-  Four deviation[2] = {-ways[0][3], -ways[1][3]};
+};
+
+inline void PackBoxes(const PacketColumns& columns, float margin, SegmentPacket& packet) {
   const Four margins = {margin, margin, margin, margin};
   packet.diagonal = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    const Four one = starts[0][axis], one_way = ways[0][axis], one_end = one + one_way;
-    const Four other = starts[1][axis], other_way = ways[1][axis], other_end = other + other_way;
-    deviation[0] += one_way * one_way + one * 0.0F;
-    deviation[1] += other_way * other_way + other * 0.0F;
+    const Four one = columns.start[0][axis], one_end = one + columns.way[0][axis];
+    const Four other = columns.start[1][axis], other_end = other + columns.way[1][axis];
     const Four low = Least(Least(one, one_end), Least(other, other_end)) - margins;
     const Four high = Largest(Largest(one, one_end), Largest(other, other_end)) + margins;
     Store(one, packet.start[axis]);
     Store(other, packet.start[axis] + 4);
-    Store(one_way, packet.way[axis]);
-    Store(other_way, packet.way[axis] + 4);
+    Store(columns.way[0][axis], packet.way[axis]);
+    Store(columns.way[1][axis], packet.way[axis] + 4);
     Store(low, packet.pair_low[axis]);
     Store(high, packet.pair_high[axis]);
     packet.low[axis] = LeastOf(low);
     packet.high[axis] = LargestOf(high);
     packet.diagonal += packet.high[axis] - packet.low[axis];
   }
-  packet.longest = static_cast<float>(longest) * (1 + 1e-6F);
+}
+
+bool Pack(const double* const* segments, int count, const double* origin, float margin,
+          SegmentPacket& packet) {
+  packet.pairs = (count + 1) / 2;
   packet.segments = static_cast<uint32_t>(count);
   packet.places = ((1u << packet.pairs) - 1) | ((1u << count / 2) - 1) << 4;
-  constexpr float kUnit = 1e-6F, kTiny = 1e-30F;  // the latter for lengths of 0
-  return shortest >= 0 && AllWithin(deviation[0], ways[0][3] * kUnit + kTiny) &&
-         AllWithin(deviation[1], ways[1][3] * kUnit + kTiny);
+  double longest = 0, shortest = 0;
+  for (int place = 0; place < 8; ++place) {
+    const double length = segments[place][SegmentNumbers::kLength];
+    longest = length > longest ? length : longest;
+    shortest = length < shortest ? length : shortest;
+  }
+  packet.longest = static_cast<float>(longest) * (1 + 1e-6F);
+  const PacketColumns columns(segments, origin);
+  PackBoxes(columns, margin, packet);
+  return shortest >= 0 && columns.AreValid();
 }
 
 int OverlappingBoxes(const BoxColumns& boxes, const SegmentPacket& packet, int number,
