@@ -55,7 +55,7 @@ json ToJson(const LoadingCount& count) {
   return {{"all", count.all}, {"all_always", count.all_always}, {"motions", motions}};
 }
 
-json ToJson(const BookCount& count) { return {{"all", count.all}, {"motions", count.motions}}; }
+json ToJson(const WholeCount& count) { return {{"all", count.all}, {"motions", count.motions}}; }
 
 json ToJson(const StopGaps& gaps) {
   return {{"dt_ms", 1e3 * gaps.dt_s},

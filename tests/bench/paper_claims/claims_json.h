@@ -12,7 +12,7 @@ namespace eod::claims {
 /// Raw numbers; units are in the names where they are not metres or counts.
 nlohmann::json ToJson(const MaskCounts& counts);
 nlohmann::json ToJson(const LoadingCount& count);
-nlohmann::json ToJson(const BookCount& count);
+nlohmann::json ToJson(const WholeCount& count);
 nlohmann::json ToJson(const StopGaps& gaps);
 nlohmann::json ToJson(const SceneCost& cost);
 

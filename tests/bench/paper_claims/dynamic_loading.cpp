@@ -34,12 +34,12 @@ LoadingCount CountLoaded(const sim::RobotModel& robot, sim::Coverage coverage) {
   return count;
 }
 
-BookCount CountByTheBook(const sim::RobotModel& robot) {
-  BookCount count;
+WholeCount CountWholeIsectors(const sim::RobotModel& robot) {
+  WholeCount count;
   for (const sim::IsectorSpec& isector : robot.isectors) {
     const bool is_tripod = isector.method == sim::IsectorMethod::kTripod;
-    const bool is_of_book = is_tripod || isector.method == sim::IsectorMethod::kBump;
-    if (isector.extended || !is_of_book) continue;
+    const bool is_of_set = is_tripod || isector.method == sim::IsectorMethod::kBump;
+    if (isector.extended || !is_of_set) continue;
     const auto lines = static_cast<int>(isector.segments.size());
     count.all += lines;
     for (int motion = 0; motion < kMotionCount; ++motion) {

@@ -24,12 +24,12 @@ struct LoadingCount {
 /// Casts the robot's isectors with dynamic loading, each motion alone, and without.
 LoadingCount CountLoaded(const sim::RobotModel& robot, sim::Coverage coverage);
 
-/// The same by the book of the design: TRIPOD and the seven BUMPs, 36 lines; an isector is loaded
-/// with all its lines or not at all; TRIPOD only while the chassis or a flipper moves; no LOS.
-struct BookCount {
+/// The source paper's set alone, TRIPOD and the seven BUMPs, by whole isectors: one is loaded with
+/// all its lines or not at all, TRIPOD only while the chassis or a flipper moves.
+struct WholeCount {
   int all = 0;
   std::array<int, sim::kMotionCount> motions{};
 };
-BookCount CountByTheBook(const sim::RobotModel& robot);
+WholeCount CountWholeIsectors(const sim::RobotModel& robot);
 
 }  // namespace eod::claims

@@ -20,7 +20,7 @@ nlohmann::json Measure(const ClaimOptions& options) {
   all["module_masks"] = ToJson(CountWithMasks(robot, world, options.mask_frames));
   all["dynamic_loading"] = {{"paper", ToJson(CountLoaded(robot, sim::Coverage::kPaper))},
                             {"extended", ToJson(CountLoaded(robot, sim::Coverage::kExtended))},
-                            {"book", ToJson(CountByTheBook(robot))}};
+                            {"whole_isectors", ToJson(CountWholeIsectors(robot))}};
   std::vector<double> speeds;
   for (int i = 1; i <= 150; ++i) speeds.push_back(i / 100.0);
   for (const double dt_s : {1 / 25.0, 1 / 60.0, 0.004}) {

@@ -59,15 +59,15 @@ class PaperClaims(unittest.TestCase):
             self.assertLess(max(cast), count["all"])
             self.assertAlmostEqual(sum(cast) / MOTIONS / count["all"], 1 / 3, delta=0.05)
 
-    def test_the_design_counts_as_the_robot_file_says(self):
+    def test_whole_isectors_count_as_the_design_says(self):
         wheels, hands, tripod = 4 * 6, 3 * 3, 3
-        book = self.claims["dynamic_loading"]["book"]
+        whole = self.claims["dynamic_loading"]["whole_isectors"]
         expected = [wheels // 2 + hands + tripod, wheels // 2 + tripod]  # forward, reverse
         expected += [wheels + hands + tripod] * 2                        # turns
         expected += [wheels // 2 + tripod] * 4                           # flippers
         expected += [hands] * 10 + [0] * 4                               # arm, gripper; camera
-        self.assertEqual(book["all"], wheels + hands + tripod)
-        self.assertEqual(book["motions"], expected)
+        self.assertEqual(whole["all"], wheels + hands + tripod)
+        self.assertEqual(whole["motions"], expected)
 
     def test_a_fixed_distance_penetrates_by_what_a_step_is_longer(self):
         for series in self.claims["stop_gap"]:
