@@ -3,6 +3,8 @@
 The same numbers give the same files with the same matplotlib.
 """
 
+import statistics
+
 import matplotlib
 
 matplotlib.use("Agg")
@@ -48,7 +50,7 @@ def module_masks(claims, file):
     axes.text(20.8, -0.62, "a fifth", va="center")
     axes.set_yticks(range(len(rows)), list(rows.values()))
     axes.set_ylim(len(rows) - 0.5, -0.9)
-    axes.set_xlim(0, 148)
+    axes.set_xlim(0, 156)
     axes.set_xticks(range(0, 101, 20))
     axes.set_xlabel("candidates with module masks, % of those without")
     axes.set_title("Masks leave a fifth, unless a tree has culled the other modules before")
@@ -137,10 +139,11 @@ def scene_counts(claims, file):
     lines = scenes[0]["lines_per_frame"]
     figure, axes = plt.subplots(figsize=(8.4, 4.6), layout="constrained")
     axes.loglog(sizes, [lines * size for size in sizes], "--", color=GREY)
-    axes.text(sizes[0] * 1.25, lines * sizes[0] * 5.5, "every polygon tried", color="#6A6A6A", ha="left")
+    axes.text(sizes[0] * 1.25, lines * sizes[0] * 5.5, "every polygon tried", color="#6A6A6A")
     for key, colour, label, above in (
             ("candidates", BLUE, "candidates: triangles offered to a segment", 9),
-            ("blocks", GREEN, "blocks of 16 triangles opened by an isector", 9), ("exact", ORANGE, "exact tests", -9)):
+            ("blocks", GREEN, "blocks of 16 triangles opened by an isector", 9),
+            ("exact", ORANGE, "exact tests", -9)):
         work = [scene["drive"][key] / scene["frames"] for scene in scenes]
         axes.loglog(sizes, work, "o-", color=colour)
         axes.annotate(label, ((sizes[0] * sizes[-1]) ** 0.5, work[0]), (0, above), color=colour,
@@ -161,7 +164,7 @@ def scene_time(claims, file):
     scenes = claims["scene_cost"]
     sizes = [scene["triangles"] for scene in scenes]
     best = [min(scene["round_ns_per_segment"]) for scene in scenes]
-    median = [sorted(s["round_ns_per_segment"])[len(s["round_ns_per_segment"]) // 2] for s in scenes]
+    median = [statistics.median(scene["round_ns_per_segment"]) for scene in scenes]
     rounds = len(scenes[0]["round_ns_per_segment"])
     figure, axes = plt.subplots(figsize=(8.4, 4), layout="constrained")
     axes.semilogx(sizes, median, "s:", color=GREY, label=f"median of {rounds} rounds")

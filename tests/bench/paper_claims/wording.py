@@ -1,5 +1,6 @@
 """How docs/paper_claims.md writes numbers, verdicts and paragraphs."""
 
+import re
 import textwrap
 
 
@@ -22,8 +23,11 @@ def wrapped(page):
 
 
 def _filled(block):
+    # What stands in backticks is a command: not to be broken.
+    block = re.sub(r"`[^`]*`", lambda code: code.group().replace(" ", "\0"), block)
     items = ("\n" + block).split("\n- ") if block.startswith("- ") else [block]
     bullet, items = ("- ", items[1:]) if len(items) > 1 else ("", items)
-    return "\n".join(textwrap.fill(" ".join(item.split()), 120, initial_indent=bullet,
-                                   subsequent_indent=" " * len(bullet), break_on_hyphens=False)
-                     for item in items)
+    lines = (textwrap.fill(" ".join(item.split()), 120, initial_indent=bullet,
+                           subsequent_indent=" " * len(bullet), break_on_hyphens=False,
+                           break_long_words=False) for item in items)
+    return "\n".join(lines).replace("\0", " ")
