@@ -1,6 +1,6 @@
 # shellcheck shell=bash
-# What scripts/demo, scripts/test and scripts/bench share: packages, configuration, build. To be
-# sourced. Callers set -euo pipefail and stand in the repository's root.
+# What scripts/demo, scripts/test, scripts/bench and scripts/claims share: packages, configuration,
+# build. To be sourced. Callers set -euo pipefail and stand in the repository's root.
 
 readonly PACKAGE_LIST=scripts/packages.txt
 
