@@ -46,6 +46,7 @@ PacketBatch::Answer PacketBatch::Add(size_t first, size_t end) {
 }
 
 void PacketBatch::Run() {
+  if (count_ == 0) return;  // the surroundings may never have been gathered
   NearBox* const found = memory_.surroundings.found();
   int boxes = 0;
   for (int i = 0; i < count_; ++i) {
