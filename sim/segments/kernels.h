@@ -75,7 +75,6 @@ struct SlackTerms {
 /// A block near a reader.
 struct NearBlock {
   int32_t block;       ///< in BlockTree::blocks
-  uint32_t classes;    ///< class mask of its triangles
   uint32_t triangles;  ///< bit by bit: places in use
   float offset[3];     ///< [m] of its origin from the reader's
   float low[3];        ///< [m] offset less the error of all coordinates in a test
@@ -115,6 +114,7 @@ struct PacketWork {
 struct BoxColumns {
   const float* low[3];
   const float* high[3];
+  int first = 0;  ///< number of the first box
   int count = 0;  ///< a multiple of 8
 };
 

@@ -141,7 +141,7 @@ int OverlappingBoxes(const BoxColumns& boxes, const SegmentPacket& packet, int n
     any = (any | any >> 8) & 0xFF;
     for (; any != 0; any &= any - 1) {
       const int i = __builtin_ctz(any);
-      found[count++] = {at + i, number, near >> i & 0x01010101u};
+      found[count++] = {boxes.first + at + i, number, near >> i & 0x01010101u};
     }
   }
   return count;

@@ -72,14 +72,12 @@ void PacketBatch::Run() {
 
 /// Those of the classes that the packet looks for.
 int PacketBatch::FindBoxes(int packet, NearBox* found) {
-  const Surroundings& near = memory_.surroundings;
   const Packet& asking = packets_[static_cast<size_t>(packet)];
   const uint32_t mask = queries_[static_cast<size_t>(asking.first_query)].class_mask;
-  const int all = kernels_.OverlappingBoxes(near.boxes(), asking.segments, packet, found);
   int count = 0;
-  for (int i = 0; i < all; ++i) {
-    found[count] = found[i];
-    count += Accepts(mask, near.blocks()[found[i].index].classes) ? 1 : 0;
+  for (const Surroundings::ClassBoxes& list : memory_.surroundings.classes()) {
+    if (!Accepts(mask, list.classes)) continue;
+    count += kernels_.OverlappingBoxes(list.boxes, asking.segments, packet, found + count);
   }
   memory_.counters.blocks += static_cast<uint64_t>(count);
   return count;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -31,8 +32,14 @@ class Surroundings {
   bool usable() const { return usable_; }
 
   const Eigen::Vector3d& origin() const { return origin_; }
-  const BoxColumns& boxes() const { return boxes_; }
-  const NearBlock* blocks() const { return entries_.data(); }  ///< one a box
+  /// The boxes of one class mask.
+  struct ClassBoxes {
+    uint32_t classes;
+    BoxColumns boxes;
+  };
+  std::span<const ClassBoxes> classes() const { return classes_; }
+  /// One a box, by its number.
+  const NearBlock* blocks() const { return entries_.data(); }
   /// Room for all boxes twice, and for what comes of them.
   NearBox* found() { return found_.data(); }
   PacketWork& work() { return work_[0]; }
@@ -40,7 +47,9 @@ class Surroundings {
  private:
   void Reserve();
   void CollectBlocks(const BlockTree& tree, const Kernels& kernels);
-  void Describe(const BlockTree& tree);
+  void ListByClass(const BlockTree& tree);
+  void Append(const BlockTree& tree, int32_t block);
+  void PadToEight();
 
   Eigen::AlignedBox3d region_, last_asked_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
@@ -50,7 +59,8 @@ class Surroundings {
   std::vector<float> columns_;  ///< six of kMaxBlocks
   std::vector<NearBox> found_;
   std::vector<PacketWork> work_;  ///< one
-  BoxColumns boxes_{};
+  std::vector<int32_t> collected_;
+  std::vector<ClassBoxes> classes_;
   float half_size_[3] = {-1, -1, -1};  ///< [m] of the region, rounded down
 };
 
