@@ -129,8 +129,8 @@ struct SegmentNumbers {
 struct Kernels {
   /// Fills a packet with 1..8 segments of short length, relative to `origin` (x, y, z and any
   /// number), and grows its boxes by `margin` [m]. `segments` points to SegmentNumbers, one a
-  /// place; unused places repeat their partner, or the first segment. False, and no packet, if any
-  /// of them is not finite, not unit to 1e-6 or of negative length.
+  /// place; unused places repeat their partner, or the first segment. False, and no packet, unless
+  /// all are castable beyond doubt: finite, unit to 1e-6, of positive length.
   bool (*Pack)(const double* const* segments, int count, const double* origin, float margin,
                SegmentPacket& packet);
   /// Boxes that meet a pair of the packet of that number; returns how many. `found` has room for

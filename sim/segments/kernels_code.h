@@ -72,7 +72,8 @@ struct PacketColumns {
 
   /// Whether all are finite and as long as they say. Not finite times 0 is NaN, and equals nothing.
   bool AreValid() const {
-    constexpr float kUnit = 1e-6F, kTiny = 1e-30F;  // the latter for lengths of 0
+    // The latter so that a length of 0, which says nothing of the direction, is not beyond doubt.
+    constexpr float kUnit = 1e-6F, kTiny = 1e-30F;
     bool valid = true;
     for (int half = 0; half < 2; ++half) {
       const Four squared_length = way[half][3];
@@ -80,7 +81,7 @@ struct PacketColumns {
       for (int axis = 0; axis < 3; ++axis) {
         deviation += way[half][axis] * way[half][axis] + start[half][axis] * 0.0F;
       }
-      valid &= AllWithin(deviation, squared_length * kUnit + kTiny);
+      valid &= AllWithin(deviation, squared_length * kUnit - kTiny);
     }
     return valid;
   }

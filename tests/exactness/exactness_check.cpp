@@ -44,8 +44,10 @@ int main(int argc, char** argv) {
   for (unsigned i = 0; i < jobs; ++i) threads.emplace_back(work);
   threads.clear();
   std::cout << fmt::format(
-      "{} segments in {} scenes, {} of them hit: {} missed, {} extra, {} different between "
+      "{} segments in {} scenes, {} of them hit, {} are none: {} missed, {} extra, {} different "
+      "between "
       "instruction sets, worst error {:.3g} um\n",
-      all.segments, scenes, all.hits, all.missed, all.extra, all.different, all.worst_error * 1e6);
+      all.segments, scenes, all.hits, all.refused, all.missed, all.extra, all.different,
+      all.worst_error * 1e6);
   return all.ok() && all.hits > all.segments / 4 ? 0 : 1;
 }

@@ -33,6 +33,7 @@ void Check(const SegmentHit& hit, std::span<const ReferenceHit> expected, Verdic
 
 void Verdict::Add(const Verdict& other) {
   segments += other.segments;
+  refused += other.refused;
   hits += other.hits;
   missed += other.missed;
   extra += other.extra;

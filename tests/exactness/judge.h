@@ -11,6 +11,7 @@ namespace eod::sim {
 /// What the engine's answers were worth.
 struct Verdict {
   uint64_t segments = 0;
+  uint64_t refused = 0;    ///< of those: what is no segment
   uint64_t hits = 0;       ///< segments that the reference has meet something
   uint64_t missed = 0;     ///< the reference has a hit that the engine does not, or a better one
   uint64_t extra = 0;      ///< the engine has a hit that the reference does not

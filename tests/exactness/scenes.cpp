@@ -1,6 +1,7 @@
 #include "tests/exactness/scenes.h"
 
 #include <cmath>
+#include <limits>
 
 #include "sim/geometry/pose.h"
 
@@ -110,6 +111,7 @@ class SegmentMaker {
     query.start = target - share * query.length * query.direction;
   }
   void Rules(SegmentQuery& query);
+  void Spoil(SegmentQuery& query);
 
   const std::vector<CollisionTriangle>& scene_;
   SeededNumbers numbers_;
@@ -123,6 +125,32 @@ void SegmentMaker::Rules(SegmentQuery& query) {
   constexpr uint32_t kMasks[4] = {kModuleFlat | kBumpProxy, kBumpProxy, kAnyModule,
                                   kModuleFlat | kClampProxy};
   query.class_mask = kMasks[numbers_.Below(4)];
+}
+
+/// Makes it something that is no segment.
+void SegmentMaker::Spoil(SegmentQuery& query) {
+  constexpr double kBad[3] = {std::numeric_limits<double>::quiet_NaN(),
+                              std::numeric_limits<double>::infinity(),
+                              -std::numeric_limits<double>::infinity()};
+  const double bad = kBad[numbers_.Below(3)];
+  const auto axis = static_cast<Eigen::Index>(numbers_.Below(3));
+  switch (numbers_.Below(5)) {
+    case 0:
+      query.start[axis] = bad;
+      break;
+    case 1:
+      query.direction[axis] = bad;
+      break;
+    case 2:
+      query.length = bad;
+      break;
+    case 3:
+      query.length = -1 - query.length;
+      break;
+    default:
+      query.direction *= numbers_.Below(2) == 0 ? 0 : 1.001;
+      break;
+  }
 }
 
 SegmentQuery SegmentMaker::Make(size_t kind) {
@@ -170,6 +198,7 @@ SegmentQuery SegmentMaker::Make(size_t kind) {
       break;
   }
   if (!query.direction.allFinite()) query.direction = Vector3d::UnitX();
+  if (numbers_.Below(50) == 0) Spoil(query);
   return query;
 }
 

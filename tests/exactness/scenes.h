@@ -14,7 +14,8 @@ namespace eod::sim {
 std::vector<CollisionTriangle> TrickyScene(uint64_t seed);
 
 /// Segments for such a scene: at random, through corners and edges, along edges, within planes,
-/// from and to faces, of no length, long, and from inside bodies. One group for some neighbours.
+/// from and to faces, of no length, long, from inside bodies, and one in fifty that is none at all
+/// (NaN, infinite, of negative length or no unit direction). One group for some neighbours.
 std::vector<SegmentQuery> TrickySegments(const std::vector<CollisionTriangle>& scene, size_t count,
                                          uint64_t seed);
 
