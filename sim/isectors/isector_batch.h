@@ -10,6 +10,8 @@ namespace eod::sim {
 /// Casts isectors together, and keeps the memory for it: one for each robot, thread or test.
 class IsectorBatch {
  public:
+  IsectorBatch() { memory_.surroundings.Reserve(); }
+
   /// Casts the enabled segments of all enabled `isectors` from their poses, in one call of
   /// `world`. Each isector is one group, so that its segments are culled together. Afterwards
   /// those isectors can be read for `step`, which is 0 or more. Allocates only where this cast is

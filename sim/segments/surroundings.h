@@ -18,6 +18,9 @@ class Surroundings {
   static constexpr int kMaxBlocks = 4096;  ///< more are not listed: walk the tree instead
   static constexpr double kWidest = 16.0;  ///< [m] of what is asked for, without the margin
 
+  /// Takes the half megabyte that lists need; otherwise the first gathering does.
+  void Reserve();
+
   /// Gathers what is near `box` (module's local frame). `revision` names the state of the tree.
   void Gather(const BlockTree& tree, const Kernels& kernels, const Eigen::AlignedBox3d& box,
               uint64_t revision);
@@ -45,7 +48,6 @@ class Surroundings {
   PacketWork& work() { return work_[0]; }
 
  private:
-  void Reserve();
   void CollectBlocks(const BlockTree& tree, const Kernels& kernels);
   void ListByClass(const BlockTree& tree);
   void Append(const BlockTree& tree, int32_t block);

@@ -7,6 +7,7 @@
 #include "sim/isectors/tripod_reading.h"
 #include "sim/world/analytic_world.h"
 #include "tests/unit/counting_new.h"
+#include "tests/unit/sim/random_scene.h"
 
 namespace eod::sim {
 namespace {
@@ -46,6 +47,26 @@ TEST(IsectorSet, AllocatesNothingAfterItsLargestCast) {
   const long before = AllocationCount();
   for (int motion = 0; motion < kMotionCount; ++motion) dut.Cast(world, X_ML, SetOf(motion));
   EXPECT_EQ(AllocationCount(), before);
+}
+
+TEST(IsectorSet, AllocatesNothingWhereItsSurroundingsAreGatheredOnTheWay) {
+  const RobotModel robot = LoadRobot(EOD_DATA_DIR "/sim/robots/eod_robot.sdf");
+  ModuleModel module;
+  AddObject(module, "ground", kModuleFlat | kClampProxy | kBumpProxy, PlaneMesh(20, 20, 0.25));
+  const std::unique_ptr<World> world = BuildWorld(module);
+  std::vector<Eigen::Isometry3d> X_ML;
+  LinkPoses(robot, HomeState(robot), X_ML);
+  IsectorSet dut(robot, kModuleFlat);
+  dut.Cast(*world, X_ML, kAllMotions);
+  const long before = AllocationCount();
+  uint64_t refills = 0;
+  for (int step = 0; step < 300; ++step) {
+    for (Eigen::Isometry3d& pose : X_ML) pose.translation().y() += 0.02;
+    dut.Cast(*world, X_ML, kAllMotions);
+    refills += dut.counters().refills;
+  }
+  EXPECT_EQ(AllocationCount(), before);
+  EXPECT_GT(refills, 5u);  // 6 m, half a metre of margin
 }
 
 }  // namespace
