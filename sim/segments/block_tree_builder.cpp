@@ -187,7 +187,8 @@ void Builder::AddChild(int32_t node, int place, const Box4& box, int32_t child) 
     parent.high[axis][place] = std::nextafter(box.high[axis], kFar);
   }
   parent.child[place] = child;
-  parent.classes[place] = child < 0 ? tree_.places[static_cast<size_t>(~child)].classes
+  const int32_t block = ~child;
+  parent.classes[place] = child < 0 ? tree_.places[static_cast<size_t>(block)].classes
                                     : ClassesBelow(tree_.nodes[static_cast<size_t>(child)]);
 }
 

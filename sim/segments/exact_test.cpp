@@ -88,21 +88,21 @@ double Triple(const Vector3d& d, const Vector3d& b, const Vector3d& c) {
 struct Range {
   double value, edge;
 
-  Range(const Sides& sides, const Vector3d& d, const Vector3d& A, const Vector3d& ab,
+  Range(const Sides& sides, const Vector3d& d, const Vector3d& to_a, const Vector3d& ab,
         const Vector3d& ac) {
-    const double to_b = ab.dot(d), to_c = ac.dot(d);
-    value = A.dot(d) + (sides.b * to_b + sides.c * to_c) / sides.sum();
-    edge = std::max(std::abs(to_b), std::abs(to_c));
+    const double along_b = ab.dot(d), along_c = ac.dot(d);
+    value = to_a.dot(d) + (sides.b * along_b + sides.c * along_c) / sides.sum();
+    edge = std::max(std::abs(along_b), std::abs(along_c));
   }
 };
 
 }  // namespace
 
 double ExactSide(const Vector3d& d, const Vector3d& s, const Vector3d& b, const Vector3d& c) {
-  const std::array<Difference, 3> B = {Difference(b.x(), s.x()), Difference(b.y(), s.y()),
-                                       Difference(b.z(), s.z())};
-  const std::array<Difference, 3> C = {Difference(c.x(), s.x()), Difference(c.y(), s.y()),
-                                       Difference(c.z(), s.z())};
+  const std::array<Difference, 3> to_b = {Difference(b.x(), s.x()), Difference(b.y(), s.y()),
+                                          Difference(b.z(), s.z())};
+  const std::array<Difference, 3> to_c = {Difference(c.x(), s.x()), Difference(c.y(), s.y()),
+                                          Difference(c.z(), s.z())};
   Expansion sum;
   const auto add = [&](double factor, const Difference& one, const Difference& other) {
     sum.AddProduct(factor, one.low, other.low);
@@ -113,8 +113,8 @@ double ExactSide(const Vector3d& d, const Vector3d& s, const Vector3d& b, const 
   for (size_t i = 0; i < 3; ++i) {
     const size_t j = (i + 1) % 3, k = (i + 2) % 3;
     const double component = d[static_cast<Eigen::Index>(i)];
-    add(component, B[j], C[k]);
-    add(-component, B[k], C[j]);
+    add(component, to_b[j], to_c[k]);
+    add(-component, to_b[k], to_c[j]);
   }
   return sum.Sum();
 }
@@ -123,9 +123,9 @@ std::optional<double> Meet(const SegmentQuery& segment, const Vector3d& a, const
                            const Vector3d& c) {
   const Vector3d& d = segment.direction;
   const bool front_only = segment.face_rule == FaceRule::kFrontOnly;
-  const Vector3d A = a - segment.start, B = b - segment.start, C = c - segment.start;
-  Sides sides = {Triple(d, B, C), Triple(d, C, A), Triple(d, A, B)};
-  const double size = std::max(std::max(Size(A), Size(B)), Size(C));
+  const Vector3d to_a = a - segment.start, to_b = b - segment.start, to_c = c - segment.start;
+  Sides sides = {Triple(d, to_b, to_c), Triple(d, to_c, to_a), Triple(d, to_a, to_b)};
+  const double size = std::max(std::max(Size(to_a), Size(to_b)), Size(to_c));
   const double error = kSideError * size * size;
   // Positive sides: the line leaves through the back.
   if (sides.largest() > error && (front_only || sides.least() < -error)) return std::nullopt;
@@ -137,13 +137,13 @@ std::optional<double> Meet(const SegmentQuery& segment, const Vector3d& a, const
     if (mixed || sides.sum() == 0 || (front_only && sides.sum() > 0)) return std::nullopt;
   }
   const Vector3d ab = b - a, ac = c - a;
-  Range range(sides, d, A, ab, ac);
+  Range range(sides, d, to_a, ab, ac);
   if (!exact) {
     const double doubt = 3 * error * range.edge, sum = std::abs(sides.sum());
     if (doubt > kEndError * sum) {
       const double to_end = std::min(std::abs(range.value), std::abs(range.value - segment.length));
       if (doubt > std::min(kRangeError, std::max(to_end - 2 * kEndTolerance, kEndError)) * sum) {
-        range = Range(ExactSides(segment, a, b, c), d, A, ab, ac);
+        range = Range(ExactSides(segment, a, b, c), d, to_a, ab, ac);
       }
     }
   }

@@ -131,25 +131,25 @@ struct Kernels {
   /// number), and grows its boxes by `margin` [m]. `segments` points to SegmentNumbers, one a
   /// place; unused places repeat their partner, or the first segment. False, and no packet, unless
   /// all are castable beyond doubt: finite, unit to 1e-6, of positive length.
-  bool (*Pack)(const double* const* segments, int count, const double* origin, float margin,
+  bool (*pack)(const double* const* segments, int count, const double* origin, float margin,
                SegmentPacket& packet);
   /// Boxes that meet a pair of the packet of that number; returns how many. `found` has room for
   /// all.
-  int (*OverlappingBoxes)(const BoxColumns& boxes, const SegmentPacket& packet, int number,
-                          NearBox* found);
+  int (*overlapping_boxes)(const BoxColumns& boxes, const SegmentPacket& packet, int number,
+                           NearBox* found);
   /// Bit mask of the node's children that meet the box low..high.
-  uint32_t (*OverlappingChildren)(const Node& node, const float* low, const float* high);
+  uint32_t (*overlapping_children)(const Node& node, const float* low, const float* high);
   /// Bit mask of the children that the line enters before `reach`, and where.
-  uint32_t (*EnteredChildren)(const Node& node, const Line& line, float reach, float* enter);
+  uint32_t (*entered_children)(const Node& node, const Line& line, float reach, float* enter);
   /// Triangles that the packets' segments may meet in their near boxes, which are `count` <=
   /// PacketWork::kMostBoxes; returns how many entries of `work.candidates` were filled. Packets are
   /// `stride` bytes apart. `tested` counts triangles offered, times segments.
-  int (*TestPackets)(const Block* blocks, const NearBlock* near, const NearBox* boxes, int count,
-                     const SegmentPacket* packets, size_t stride, PacketWork& work,
-                     uint64_t& tested);
+  int (*test_packets)(const Block* blocks, const NearBlock* near, const NearBox* boxes, int count,
+                      const SegmentPacket* packets, size_t stride, PacketWork& work,
+                      uint64_t& tested);
   /// Bit mask of the block's triangles that the line may meet.
-  uint32_t (*TestLine)(const Block& block, const BlockPlace& place, const LinePiece& line,
-                       float error);
+  uint32_t (*test_line)(const Block& block, const BlockPlace& place, const LinePiece& line,
+                        float error);
 };
 
 /// Throws std::invalid_argument if this processor lacks it.

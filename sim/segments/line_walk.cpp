@@ -78,7 +78,8 @@ void Walk::Run() {
     if (next.child >= 0) {
       Push(tree_.nodes[static_cast<size_t>(next.child)]);
     } else {
-      Open(static_cast<size_t>(~next.child), static_cast<double>(next.enter));
+      const int32_t block = ~next.child;
+      Open(static_cast<size_t>(block), static_cast<double>(next.enter));
     }
   }
 }
@@ -86,7 +87,7 @@ void Walk::Run() {
 /// Puts the children that are entered on the pile, the nearest on top.
 void Walk::Push(const Node& node) {
   alignas(32) float enter[kFanOut];
-  uint32_t bits = kernels_.EnteredChildren(node, line_, Reach(), enter);
+  uint32_t bits = kernels_.entered_children(node, line_, Reach(), enter);
   const size_t bottom = count_;
   for (; bits != 0; bits &= bits - 1) {
     const auto i = static_cast<size_t>(__builtin_ctz(bits));
@@ -112,7 +113,7 @@ void Walk::Open(size_t block, double enter) {
   const auto error = static_cast<float>(4 * kUnitRoundoff * size + kEndTolerance);
   ++memory_.counters.blocks;
   memory_.counters.candidates += static_cast<uint64_t>(place.count);
-  uint32_t bits = kernels_.TestLine(tree_.blocks[block], place, piece, error);
+  uint32_t bits = kernels_.test_line(tree_.blocks[block], place, piece, error);
   for (; bits != 0; bits &= bits - 1) {
     choice_.Offer(tree_, block, __builtin_ctz(bits), query_, memory_);
   }

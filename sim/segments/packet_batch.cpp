@@ -33,7 +33,7 @@ PacketBatch::Answer PacketBatch::Add(size_t first, size_t end) {
   const Vector3d& origin = memory_.surroundings.origin();
   const std::array<double, 4> from = {origin.x(), origin.y(), origin.z(), 0};
   Packet& packet = packets_[static_cast<size_t>(count_)];
-  if (!kernels_.Pack(segments.data(), static_cast<int>(count), from.data(), kBoxMargin,
+  if (!kernels_.pack(segments.data(), static_cast<int>(count), from.data(), kBoxMargin,
                      packet.segments)) {
     return Answer::kAlone;
   }
@@ -77,7 +77,7 @@ int PacketBatch::FindBoxes(int packet, NearBox* found) {
   int count = 0;
   for (const Surroundings::ClassBoxes& list : memory_.surroundings.classes()) {
     if (!Accepts(mask, list.classes)) continue;
-    count += kernels_.OverlappingBoxes(list.boxes, asking.segments, packet, found + count);
+    count += kernels_.overlapping_boxes(list.boxes, asking.segments, packet, found + count);
   }
   memory_.counters.blocks += static_cast<uint64_t>(count);
   return count;
@@ -89,9 +89,9 @@ void PacketBatch::Test(std::span<const NearBox> boxes) {
   for (size_t first = 0; first < boxes.size(); first += PacketWork::kMostBoxes) {
     const auto some =
         boxes.subspan(first, std::min<size_t>(boxes.size() - first, PacketWork::kMostBoxes));
-    const int count = kernels_.TestPackets(tree_.blocks.data(), near, some.data(),
-                                           static_cast<int>(some.size()), &packets_[0].segments,
-                                           sizeof(Packet), work, memory_.counters.candidates);
+    const int count = kernels_.test_packets(tree_.blocks.data(), near, some.data(),
+                                            static_cast<int>(some.size()), &packets_[0].segments,
+                                            sizeof(Packet), work, memory_.counters.candidates);
     for (int i = 0; i < count; ++i) {
       const Candidate& candidate = work.candidates[i];
       Offer(some[static_cast<size_t>(candidate.box)], candidate);

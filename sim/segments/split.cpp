@@ -29,7 +29,8 @@ struct Bin {
 };
 
 float BlocksOf(int triangles) {
-  return static_cast<float>((triangles + kBlockSize - 1) / kBlockSize);
+  const int blocks = (triangles + kBlockSize - 1) / kBlockSize;
+  return static_cast<float>(blocks);
 }
 
 float Area(const Box4& box) {

@@ -71,7 +71,7 @@ void Surroundings::CollectBlocks(const BlockTree& tree, const Kernels& kernels) 
   size_t count = 1;
   while (count > 0) {
     const Node& node = tree.nodes[static_cast<size_t>(waiting[--count])];
-    uint32_t bits = kernels.OverlappingChildren(node, low, high);
+    uint32_t bits = kernels.overlapping_children(node, low, high);
     for (; bits != 0; bits &= bits - 1) {
       const int32_t child = node.child[__builtin_ctz(bits)];
       if (child >= 0) {

@@ -10,7 +10,7 @@ namespace eod::sim {
 class TriangleChoice {
  public:
   /// Nothing until `Begin`, so that many of them cost nothing.
-  TriangleChoice() {}  // NOLINT(modernize-use-equals-default, *-member-init)
+  TriangleChoice() {}  // NOLINT
   explicit TriangleChoice(const SegmentQuery& query) { Begin(query); }
   void Begin(const SegmentQuery& query) {
     query_ = &query;
