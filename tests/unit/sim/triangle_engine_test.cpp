@@ -119,6 +119,7 @@ TEST(TriangleEngine, OffersFewTrianglesOfManyToAShortSegment) {
 /// A robot's forty lines about `middle`, ten groups of four.
 std::vector<SegmentQuery> LinesAround(const Vector3d& middle, SeededNumbers& numbers) {
   std::vector<SegmentQuery> queries;
+  queries.reserve(40);
   for (uint32_t i = 0; i < 40; ++i) {
     queries.push_back({.start = middle + numbers.InBox(0.8),
                        .direction = numbers.InBox(1).normalized(),
@@ -162,6 +163,7 @@ TEST(TriangleEngine, AllocatesNothingOnceAReaderHasSeenItsLargestCast) {
     return queries;
   };
   std::vector<std::vector<SegmentQuery>> frames;
+  frames.reserve(200);
   for (int i = 0; i < 200; ++i) frames.push_back(all_of({-10 + 0.1 * i, 0, 0.5}));
   for (const auto& frame : frames) dut.Cast(frame, hits, memory);
   const uint64_t before = AllocationCount();
@@ -180,6 +182,7 @@ TEST(TriangleEngine, ManyThreadsReadOneWorldAndGetTheSameBits) {
   std::atomic<int> different{0};
   {
     std::vector<std::jthread> threads;
+    threads.reserve(4);
     for (int i = 0; i < 4; ++i) {
       threads.emplace_back([&] {
         std::vector<SegmentHit> hits(queries.size());
