@@ -22,7 +22,11 @@ int main(int argc, char** argv) {
   app.add_option("--seed", seed, "of the first scene; each next one is one more")
       ->capture_default_str();
   app.add_option("--jobs", jobs, "threads")->capture_default_str()->check(CLI::Range(1, 1024));
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
 
   const uint64_t scenes = (segments + kPerScene - 1) / kPerScene;
   std::atomic<uint64_t> next{0};
