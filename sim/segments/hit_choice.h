@@ -36,13 +36,23 @@ inline double Rank(const SegmentQuery& query, double range) {
   return WantsFarthest(query) ? -range : range;
 }
 
-/// Which of two hits answers `query`; of equals the lower object, then the lower triangle.
+/// What decides between two hits: the smaller rank, then the lower object, then the lower triangle.
+struct HitOrder {
+  double rank;
+  int object;
+  int triangle;
+
+  bool IsBefore(const HitOrder& other) const {
+    if (rank != other.rank) return rank < other.rank;
+    return object != other.object ? object < other.object : triangle < other.triangle;
+  }
+};
+
+/// Which of two hits answers `query`.
 inline bool IsPreferred(const SegmentQuery& query, const SegmentHit& hit, const SegmentHit& best) {
   if (!best.hit) return true;
-  const double rank = Rank(query, hit.range), best_rank = Rank(query, best.range);
-  if (rank != best_rank) return rank < best_rank;
-  if (hit.object != best.object) return hit.object < best.object;
-  return hit.triangle < best.triangle;
+  const HitOrder order{Rank(query, hit.range), hit.object, hit.triangle};
+  return order.IsBefore({Rank(query, best.range), best.object, best.triangle});
 }
 
 /// Takes `hit` as an answer of query `index`: into the list if all are wanted, and as `best` if it
@@ -57,9 +67,8 @@ inline void Offer(int index, const SegmentQuery& query, const SegmentHit& hit, S
 inline void SortListed(CastMemory& memory) {
   std::sort(memory.all.begin(), memory.all.end(), [](const ListedHit& a, const ListedHit& b) {
     if (a.query != b.query) return a.query < b.query;
-    if (a.hit.range != b.hit.range) return a.hit.range < b.hit.range;
-    if (a.hit.object != b.hit.object) return a.hit.object < b.hit.object;
-    return a.hit.triangle < b.hit.triangle;
+    const HitOrder order{a.hit.range, a.hit.object, a.hit.triangle};
+    return order.IsBefore({b.hit.range, b.hit.object, b.hit.triangle});
   });
 }
 

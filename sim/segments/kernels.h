@@ -7,7 +7,8 @@
 
 namespace eod::sim {
 
-/// What the arithmetic runs on. Every set gives the same candidates and so the same hits.
+/// What the arithmetic runs on. Every set gives the same hits; how many near misses the exact test
+/// has to refuse may differ.
 enum class InstructionSet : uint8_t {
   kPlain,  ///< what every processor of this kind has: SSE2 on x86-64, plain C++ elsewhere
   kAvx2,   ///< and the bit manipulation of the same processors: Haswell, Zen and later
@@ -27,10 +28,10 @@ struct alignas(32) SegmentPacket {
   float pair_high[3][4];
   float low[3];  ///< box round all of them, rounded outwards
   float high[3];
-  float longest = 0;   ///< length of the longest way
-  float diagonal = 0;  ///< of the box
-  int pairs = 0;       ///< in use
-  uint32_t places;     ///< bit i: place i is in use
+  float longest;    ///< length of the longest way
+  float diagonal;   ///< of the box
+  int pairs;        ///< in use
+  uint32_t places;  ///< bit i: place i is in use
   uint32_t segments;
 
   static constexpr int PlaceOf(int segment) { return segment / 2 + 4 * (segment % 2); }

@@ -1,7 +1,6 @@
 #include "sim/segments/triangle_choice.h"
 
 #include "sim/segments/exact_test.h"
-#include "sim/segments/hit_choice.h"
 
 namespace eod::sim {
 
@@ -16,17 +15,10 @@ void TriangleChoice::Offer(const BlockTree& tree, size_t block, int place, int q
   if (query_->hit_rule == HitRule::kAll) {
     HitAt(tree, block, place, *range, memory.all.emplace_back(ListedHit{query, {}}).hit);
   }
-  const double rank = Rank(*query_, *range);
-  const Surface& surface = tree.surfaces[exact.surface];
-  const int triangle = exact.triangle;
-  const bool better = !found() || rank < rank_ ||
-                      (rank == rank_ && (surface.object != object_ ? surface.object < object_
-                                                                   : triangle < triangle_));
-  if (!better) return;
-  rank_ = rank;
+  const HitOrder order{Rank(*query_, *range), tree.surfaces[exact.surface].object, exact.triangle};
+  if (found() && !order.IsBefore(order_)) return;
+  order_ = order;
   range_ = *range;
-  object_ = surface.object;
-  triangle_ = triangle;
   block_ = block;
   place_ = place;
 }

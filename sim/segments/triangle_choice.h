@@ -2,6 +2,7 @@
 
 #include "sim/segments/block_tree.h"
 #include "sim/segments/cast_memory.h"
+#include "sim/segments/hit_choice.h"
 
 namespace eod::sim {
 
@@ -14,14 +15,14 @@ class TriangleChoice {
   explicit TriangleChoice(const SegmentQuery& query) { Begin(query); }
   void Begin(const SegmentQuery& query) {
     query_ = &query;
-    triangle_ = -1;
+    order_.triangle = -1;
   }
 
   /// Decides a candidate, of a class that the query looks for, exactly and keeps it if the query's
   /// rules prefer it.
   void Offer(const BlockTree& tree, size_t block, int place, int query, CastMemory& memory);
 
-  bool found() const { return triangle_ >= 0; }
+  bool found() const { return order_.triangle >= 0; }
   double range() const { return range_; }
   /// The answer, if there is one.
   void Answer(const BlockTree& tree, SegmentHit& hit) const;
@@ -30,11 +31,10 @@ class TriangleChoice {
   void HitAt(const BlockTree& tree, size_t block, int place, double range, SegmentHit& hit) const;
 
   const SegmentQuery* query_;
-  double rank_, range_;
+  HitOrder order_;  ///< triangle -1: none
+  double range_;
   size_t block_;
   int place_;
-  int object_;
-  int triangle_;
 };
 
 }  // namespace eod::sim

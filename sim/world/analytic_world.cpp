@@ -3,16 +3,11 @@
 #include <utility>
 
 #include "sim/segments/hit_choice.h"
+#include "sim/world/object_name.h"
 
 namespace eod::sim {
 
 using Eigen::Vector3d;
-
-namespace {
-
-const std::string kNoName;
-
-}  // namespace
 
 int AnalyticWorld::NewObject(std::string name) {
   names_.push_back(std::move(name));
@@ -79,9 +74,6 @@ void AnalyticWorld::Cast(std::span<const SegmentQuery> queries, std::span<Segmen
   SortListed(memory);
 }
 
-const std::string& AnalyticWorld::ObjectName(int object) const {
-  const auto index = static_cast<size_t>(object);
-  return object < 0 || index >= names_.size() ? kNoName : names_[index];
-}
+const std::string& AnalyticWorld::ObjectName(int object) const { return NameOf(names_, object); }
 
 }  // namespace eod::sim

@@ -2,13 +2,9 @@
 
 #include <utility>
 
+#include "sim/world/object_name.h"
+
 namespace eod::sim {
-
-namespace {
-
-const std::string kNoName;
-
-}  // namespace
 
 BuiltWorld::BuiltWorld(const ModuleModel& module, InstructionSet instruction_set)
     : triangles_(module.triangles, instruction_set) {
@@ -21,10 +17,7 @@ void BuiltWorld::Cast(std::span<const SegmentQuery> queries, std::span<SegmentHi
   if (shapes_.size() > 0) shapes_.Cast(queries, hits, memory);
 }
 
-const std::string& BuiltWorld::ObjectName(int object) const {
-  const auto index = static_cast<size_t>(object);
-  return object < 0 || index >= names_.size() ? kNoName : names_[index];
-}
+const std::string& BuiltWorld::ObjectName(int object) const { return NameOf(names_, object); }
 
 int BuiltWorld::AddShape(std::string name, uint32_t class_mask, Shape shape,
                          const Eigen::Isometry3d& X_MO) {

@@ -9,6 +9,7 @@
 #include <btBulletCollisionCommon.h>
 
 #include "sim/segments/hit_choice.h"
+#include "sim/world/object_name.h"
 
 #ifndef BT_USE_DOUBLE_PRECISION
 #error "Bullet's float libraries have the same symbols; link bullet_double"
@@ -19,8 +20,6 @@ namespace eod::sim {
 using Eigen::Vector3d;
 
 namespace {
-
-const std::string kNoName;
 
 btVector3 ToBullet(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 Vector3d FromBullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
@@ -210,8 +209,7 @@ void BulletWorld::Cast(std::span<const SegmentQuery> queries, std::span<SegmentH
 }
 
 const std::string& BulletWorld::ObjectName(int object) const {
-  const auto index = static_cast<size_t>(object);
-  return object < 0 || index >= impl_->names.size() ? kNoName : impl_->names[index];
+  return NameOf(impl_->names, object);
 }
 
 }  // namespace eod::sim

@@ -1,11 +1,6 @@
 #include "tests/bench/isector_bench/engine.h"
 
-// Peers are optional packages; CMake says which were found.
-#ifdef EOD_BENCH_BULLET
-#define EOD_IF_BULLET(build) build
-#else
-#define EOD_IF_BULLET(build) nullptr
-#endif
+// Peers but Bullet are optional packages; CMake says which were found.
 #ifdef EOD_BENCH_EMBREE
 #define EOD_IF_EMBREE(build) build
 #else
@@ -28,7 +23,7 @@ std::vector<EngineSpec> KnownEngines() {
   return {
       {.name = "ours", .build = BuildOurs},
       {.name = "ours_plain", .build = BuildOursPlain},
-      {.name = "bullet", .package = bullet, .build = EOD_IF_BULLET(BuildBullet)},
+      {.name = "bullet", .package = bullet, .build = BuildBullet},
       {.name = "embree", .package = embree, .build = EOD_IF_EMBREE(BuildEmbree)},
       {.name = "embree_robust", .package = embree, .build = EOD_IF_EMBREE(BuildEmbreeRobust)},
       {.name = "osg", .package = osg, .most_triangles = kMostOsg, .build = EOD_IF_OSG(BuildOsg)},
