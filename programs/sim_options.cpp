@@ -104,6 +104,8 @@ void AddSimOptions(CLI::App& app, SimOptions& options) {
   app.add_option("--world", options.world, "SDFormat file")->capture_default_str();
   app.add_option("--robot", options.robot, "SDFormat file")->capture_default_str();
   app.add_option("--scenario", options.scenario, "TOML file")->capture_default_str();
+  app.add_option("--rules", options.rules, "tuning of the exercise, TOML file")
+      ->capture_default_str();
   AddStepOptions(app, options);
   AddIsectorOptions(app, options);
   AddCameraOptions(app, options);
@@ -129,10 +131,12 @@ std::string Describe(const SimOptions& options) {
       "world            {}\n"
       "robot            {}\n"
       "scenario         {}\n"
+      "rules            {}\n"
       "step             {:g} ms ({:g} Hz), zero motion {:g} ms after the last command\n"
       "{}",
-      options.world.string(), options.robot.string(), options.scenario.string(), 1000 * period_s,
-      1 / period_s, 1000 * ToSeconds(options.node.simulator.command_timeout),
+      options.world.string(), options.robot.string(), options.scenario.string(),
+      options.rules.string(), 1000 * period_s, 1 / period_s,
+      1000 * ToSeconds(options.node.simulator.command_timeout),
       DescribeIsectors(options.node.simulator));
   if (options.lockstep) {
     return text + fmt::format("lock-step        {} into {}, by {} and {}\n",

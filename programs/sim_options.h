@@ -16,6 +16,7 @@ struct SimOptions {
   std::filesystem::path world = EOD_DATA_DIR "/sim/worlds/training_ground.sdf";
   std::filesystem::path robot = EOD_DATA_DIR "/sim/robots/eod_robot.sdf";
   std::filesystem::path scenario = EOD_DATA_DIR "/sim/scenarios/flat_first_drive.toml";
+  std::filesystem::path rules = EOD_DATA_DIR "/sim/rules/eod_rules.toml";
   SimNodeConfig node;
   bool cameras = true;
   CameraConfig camera;

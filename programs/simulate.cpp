@@ -17,11 +17,13 @@ void SimulateLive(const SimOptions& options, const StationOptions& station) {
   const RobotModel robot = LoadRobot(options.robot);
   const WorldModel world = LoadWorld(options.world);
   const Scenario scenario = LoadScenario(options.scenario);
+  SimNodeConfig config = options.node;
+  config.simulator.exercise = LoadRules(options.rules);
   malloc_trim(0);  // the SDFormat reader leaves tens of megabytes of free heap behind
   RunBeforeOthers();
   const SteadyClock clock;
   const auto lcm = OpenLcm(station.lcm);
-  SimNode node(options.node, robot, world, scenario, *lcm, clock);
+  SimNode node(config, robot, world, scenario, *lcm, clock);
 
   PictureNode pictures(*lcm, options.node.channel_prefix);
   std::unique_ptr<CameraThread> cameras;
@@ -48,6 +50,7 @@ void SimulateLog(const SimOptions& options) {
   config.rig.bridge.dbc_file = options.dbc;
   config.rig.bridge.map_file = options.map;
   config.rig.sim = options.node;
+  config.rig.sim.simulator.exercise = LoadRules(options.rules);
   config.can_log = options.can_log;
   config.out = options.out;
   lockstep::ReplayLog(config, robot, world, scenario);

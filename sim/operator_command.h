@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "platform/time.h"
+#include "sim/disposal/disposal_status.h"
 #include "sim/motion/motion.h"
 #include "sim/robot/motion_id.h"
 
@@ -17,6 +18,9 @@ enum InhibitReason : int {
   kReasonJointLimit = 2,
   kReasonConflict = 3,
   kReasonLinkLoss = 5,
+  kReasonPayload = 7,
+  kReasonTilt = 8,
+  kReasonNotReady = 10,
 };
 
 /// Numbers of box_command_t.menu_command.
@@ -32,8 +36,10 @@ struct OperatorCommand {
   MotionSet inhibited = 0;                         ///< refused by the bridge already
   int inhibit_reason = 0;                          ///< box_command_t REASON_*
   int speed_range = 1;                             ///< 0 creep, 1 low, 2 high
-  int menu_module = 0;                             ///< 0 none, 1 flat .. 5 indoor
-  int menu_command = 0;                            ///< MenuCommand; acts when it changes
+  int preset = 0;                                  ///< 0 none, 1 stow .. 7 stair down
+  FirePanel fire;
+  int menu_module = 0;   ///< 0 none, 1 flat .. 5 indoor
+  int menu_command = 0;  ///< MenuCommand; acts when it changes
 };
 
 /// What is left of a command that can be trusted.

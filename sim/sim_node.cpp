@@ -30,6 +30,12 @@ OperatorCommand FromMessage(const box_command_t& message, TimePoint received) {
   command.inhibited = static_cast<MotionSet>(message.inhibit_mask);
   command.inhibit_reason = message.inhibit_reason;
   command.speed_range = message.speed_range;
+  command.preset = message.preset;
+  command.fire = {.arm_key = message.arm_key,
+                  .fire_left = message.fire_left,
+                  .fire_right = message.fire_right,
+                  .circuit = message.circuit,
+                  .nonce_echo = message.nonce_echo};
   command.menu_module = message.menu_module;
   command.menu_command = message.menu_command;
   return command;
@@ -57,6 +63,15 @@ void Fill(const Simulator& simulator, robot_state_t& message) {
   message.inhibit_mask = static_cast<int32_t>(result.inhibited);
   message.inhibit_reason = static_cast<int8_t>(result.inhibit_reason);
   message.contact_parts = static_cast<int32_t>(result.contact_parts);
+  const DisposalStatus& disposal = result.disposal;
+  message.grasp_state = static_cast<int8_t>(disposal.grasp);
+  message.held_object =
+      disposal.held_body < 0
+          ? ""
+          : simulator.module().movables[static_cast<size_t>(disposal.held_body)].name;
+  message.fire_state = static_cast<int8_t>(disposal.fire);
+  message.fire_nonce = static_cast<int16_t>(disposal.fire_nonce);
+  message.circuit_continuity = static_cast<int8_t>(disposal.circuit_continuity);
   message.battery_v = kBatteryVoltage;
   message.battery_soc = 1;
   message.command_sequence = result.command_sequence;
@@ -75,6 +90,7 @@ void Fill(const Simulator& simulator, mission_status_t& message) {
   message.step_text = simulator.task().step_text();
   message.score = task.score;
   message.collisions = task.collisions;
+  message.bomb_state = static_cast<int8_t>(result.disposal.bomb);
   message.fail_reason = static_cast<int8_t>(task.fail_reason);
 }
 

@@ -4,5 +4,6 @@ eod_library(eod_simulator
   SOURCES all_modules.cpp look_ahead.cpp operator_command.cpp picture_node.cpp sim_node.cpp simulator.cpp
           state_csv.cpp
   DEPENDS eod_platform lcmtypes eod_sim_robot eod_sim_world eod_sim_motion eod_sim_isectors
-          eod_sim_response eod_sim_alarms eod_sim_task
+          eod_sim_response eod_sim_rules eod_sim_bodies eod_sim_stance eod_sim_disposal eod_sim_plume
+          eod_sim_alarms eod_sim_task
   HIDES fmt::fmt)

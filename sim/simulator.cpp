@@ -9,7 +9,7 @@
 
 #include "sim/all_modules.h"
 #include "sim/look_ahead.h"
-#include "sim/response/standing.h"
+#include "sim/stance/standing.h"
 
 namespace eod::sim {
 namespace {
@@ -50,12 +50,14 @@ Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Sce
       scenario_(scenario),
       config_(config),
       dt_s_(ToSeconds(config.period)),
+      alarm_rules_(config.exercise.tilt),
       start_asked_(config.start_mission) {
   using std::chrono::milliseconds;
   if (config.period < milliseconds(1) || config.period > milliseconds(20)) {
     throw std::runtime_error(
         fmt::format("step period {} ms, allowed 1 .. 20 ms", 1000 * ToSeconds(config.period)));
   }
+  if (config.exercise.file.empty()) throw std::runtime_error("simulator: no rules were loaded");
   if (std::none_of(world.modules.begin(), world.modules.end(),
                    [&](const ModuleModel& module) { return module.id == scenario.module; })) {
     throw std::runtime_error(fmt::format("{}: module {} is not in {}", scenario.file.string(),

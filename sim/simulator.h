@@ -7,6 +7,8 @@
 #include "platform/time.h"
 #include "sim/alarms/alarm_rules.h"
 #include "sim/alarms/alarm_table.h"
+#include "sim/bodies/rigid_bodies.h"
+#include "sim/disposal/disposal_status.h"
 #include "sim/isectors/isector_set.h"
 #include "sim/motion/motion.h"
 #include "sim/operator_command.h"
@@ -22,6 +24,7 @@ struct SimulatorConfig {
   Duration command_timeout = std::chrono::milliseconds(100);  ///< zero motion from this age on
   Coverage coverage = Coverage::kExtended;
   IsectorRules rules = {};
+  Rules exercise = {};         ///< as LoadRules gives them; they must be loaded
   bool start_mission = false;  ///< the mission runs from the first step, without the menu
 };
 
@@ -39,6 +42,7 @@ struct StepResult {
   uint32_t contact_parts = 0;
   int32_t command_sequence = 0;
   std::vector<AlarmChange> alarm_changes;  ///< of this step
+  DisposalStatus disposal;
   TaskStatus task;
   bool task_changed = false;  ///< apart from its clock
   bool operator==(const StepResult&) const = default;
@@ -48,7 +52,7 @@ struct StepResult {
 class Simulator {
  public:
   /// `robot` and `world` must outlive the simulator. Throws std::runtime_error for a scenario that
-  /// does not fit the world, or a period that is out of range.
+  /// does not fit the world, a period that is out of range, or rules that nobody loaded.
   Simulator(const RobotModel& robot, const WorldModel& world, const Scenario& scenario,
             const SimulatorConfig& config);
 

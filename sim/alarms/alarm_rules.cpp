@@ -1,7 +1,6 @@
 #include "sim/alarms/alarm_rules.h"
 
 #include <array>
-#include <numbers>
 
 #include "sim/robot/motion_id.h"
 
@@ -9,9 +8,6 @@ namespace eod::sim {
 namespace {
 
 constexpr double kPushDelay = 1.0;  // [s]
-constexpr double kDegree = std::numbers::pi / 180;
-constexpr double kTiltLimit = 25 * kDegree;
-constexpr double kRolloverLimit = 45 * kDegree;
 
 constexpr uint32_t BitOf(Part part) { return 1u << static_cast<int>(part); }
 
@@ -50,8 +46,8 @@ void AlarmRules::Update(const AlarmInputs& inputs, AlarmTable& table,
   limited_joints_ = (limited_joints_ | inputs.driven_joints) & inputs.limit_flags;
   table.Set(AlarmCode::kJointLimit, limited_joints_ != 0, PartsOf(limited_joints_), changes);
 
-  const bool rolled_over = inputs.tilt > kRolloverLimit;
-  table.Set(AlarmCode::kTilt, inputs.tilt > kTiltLimit && !rolled_over, BitOf(Part::kChassis),
+  const bool rolled_over = inputs.tilt > tilt_.rollover;
+  table.Set(AlarmCode::kTilt, inputs.tilt > tilt_.alarm && !rolled_over, BitOf(Part::kChassis),
             changes);
   table.Set(AlarmCode::kRollover, rolled_over, BitOf(Part::kChassis), changes);
 }

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "sim/alarms/alarm_table.h"
+#include "sim/rules/rules.h"
+
 namespace eod::sim {
 
 /// What a step found, as far as alarms are concerned.
@@ -20,12 +22,15 @@ struct AlarmInputs {
 ///
 /// Collision: from a new contact until it is gone. Push after alarm: a blocked motion held for more
 /// than 1 s after the alarm; until it is let go. Joint limit: once a joint is driven against its
-/// limit; until it has left it. Tilt beyond 25 degrees, rollover beyond 45 (4.2 of the design).
+/// limit; until it has left it. Tilt and rollover: beyond the angles of TiltRules.
 class AlarmRules {
  public:
+  explicit AlarmRules(const TiltRules& tilt) : tilt_(tilt) {}
+
   void Update(const AlarmInputs& inputs, AlarmTable& table, std::vector<AlarmChange>& changes);
 
  private:
+  TiltRules tilt_;
   int pushed_steps_ = 0;
   bool was_pushing_ = false;
   uint32_t limited_joints_ = 0;

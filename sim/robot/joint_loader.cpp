@@ -126,13 +126,17 @@ LinkTree ReadLinks(const SdfModel& sdf, const std::filesystem::path& file) {
   std::vector<int> index(sdf.links.size(), -1);  // by place in the file
   const auto add = [&](int in_sdf, LinkSpec link) {
     index[static_cast<size_t>(in_sdf)] = static_cast<int>(tree.links.size());
+    link.mass = sdf.links[static_cast<size_t>(in_sdf)].mass;
+    link.p_LC = sdf.links[static_cast<size_t>(in_sdf)].p_LC;
     tree.links.push_back(std::move(link));
     tree.order.push_back(in_sdf);
   };
   if (sdf.links.empty() || sdf.links[0].name != "chassis") {
     FailAt(file, sdf.line, fmt::format("model {}: the first link must be chassis", sdf.name));
   }
-  add(0, LinkSpec{.name = "chassis"});
+  LinkSpec chassis;
+  chassis.name = "chassis";
+  add(0, std::move(chassis));
   // Each round takes the joints whose parent is known by now; file order within a round.
   for (bool grew = true; grew;) {
     grew = false;

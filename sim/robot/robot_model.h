@@ -14,6 +14,7 @@
 #include "sim/robot/robot_state.h"
 #include "sim/segments/isector_method.h"
 #include "sim/segments/segment.h"
+#include "sim/segments/shape.h"
 
 namespace eod::sim {
 
@@ -26,6 +27,12 @@ struct JointSpec {
   double home = 0;
   int positive_motion = 0;  ///< MotionId that makes the coordinate grow
   int negative_motion = 0;
+};
+
+/// A convex solid on a link.
+struct LinkSolid {
+  Shape shape;
+  Eigen::Isometry3d X_LS = Eigen::Isometry3d::Identity();
 };
 
 /// A rigid part. Links stand in an order in which parents come first; link 0 is the chassis.
@@ -41,6 +48,9 @@ struct LinkSpec {
   int parent = -1;
   int joint = -1;  ///< JointId that moves it; -1 for fixed links
   Kind kind = Kind::kFixed;
+  double mass = 0;                                 ///< [kg]
+  Eigen::Vector3d p_LC = Eigen::Vector3d::Zero();  ///< centre of mass in the link [m]
+  std::vector<LinkSolid> solids = {};              ///< what pushes movable things
   /// The hands use their own opening, not the joint's (each stops on its own).
   Hand hand = Hand::kNone;
 };

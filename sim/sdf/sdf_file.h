@@ -42,6 +42,8 @@ struct SdfLink {
   std::string name;
   int line = 0;
   Eigen::Isometry3d X_ML = Eigen::Isometry3d::Identity();  ///< in the model's frame
+  double mass = 0;                                         ///< [kg] 0 without <inertial>
+  Eigen::Vector3d p_LC = Eigen::Vector3d::Zero();          ///< centre of mass [m]
   std::vector<SdfVisual> visuals;
   std::vector<SdfCollision> collisions;
   std::vector<SdfCamera> cameras;

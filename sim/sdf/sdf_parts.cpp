@@ -148,10 +148,17 @@ SdfLink ToLink(const sdf::Link& link, const std::filesystem::path& file) {
   SdfLink result{.name = link.Name(),
                  .line = LineOf(link.Element()),
                  .X_ML = Resolve(link.SemanticPose(), "__model__", link.Element(), file),
+                 .mass = 0,
+                 .p_LC = Eigen::Vector3d::Zero(),
                  .visuals = {},
                  .collisions = {},
                  .cameras = {},
                  .customs = CustomsOf(link.Element(), file)};
+  // Without <inertial>, libsdformat would have it weigh 1 kg.
+  if (link.Element()->HasElement("inertial")) {
+    result.mass = link.Inertial().MassMatrix().Mass();
+    result.p_LC = ToIsometry(link.Inertial().Pose()).translation();
+  }
   for (uint64_t i = 0; i < link.VisualCount(); ++i) {
     result.visuals.push_back(ToVisual(*link.VisualByIndex(i), file));
   }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "sim/geometry/visual.h"
 #include "sim/segments/block_tree.h"
 #include "sim/segments/kernels.h"
+#include "sim/segments/shape.h"
 #include "sim/world/world.h"
 
 namespace eod::sim {
@@ -23,6 +25,42 @@ struct WorldObject {
   Eigen::Isometry3d X_MO = Eigen::Isometry3d::Identity();  ///< in the module's local frame
   bool is_static = true;
   std::vector<Visual> visuals;
+};
+
+/// A part of a movable object: a convex solid, posed in the object's frame.
+struct MovablePart {
+  Shape shape;
+  Eigen::Isometry3d X_OS = Eigen::Isometry3d::Identity();
+};
+
+/// A charge in the shape of an upright cylinder, centred on its object's frame (Eq. 8).
+struct ExplosiveSpec {
+  double radius = 0;       ///< a [m]
+  double half_height = 0;  ///< h [m]
+};
+
+/// A thing that moves by itself: it is pushed, topples, rolls, falls, can be carried.
+struct MovableObject {
+  std::string name;
+  uint32_t object_class = 0;  ///< module bit, kBumpProxy, and kBombObject or kMovableObject
+  Eigen::Isometry3d X_MO = Eigen::Isometry3d::Identity();  ///< at the start, in the module's frame
+  double mass = 0;                                         ///< [kg]
+  Eigen::Vector3d p_OC = Eigen::Vector3d::Zero();          ///< centre of mass [m]
+  double friction = 0;                                     ///< Coulomb, against ground and robot
+  std::vector<MovablePart> parts;
+  std::vector<Visual> visuals;
+  std::optional<ExplosiveSpec> explosive;
+};
+
+/// A containment vessel [防爆罐] of a static model: where a charge is safe. In the model's frame,
+/// which stands upright: a drum with a net in it, or a chamber with a door and a tray.
+struct VesselSpec {
+  std::string name;  ///< of the model
+  Eigen::Isometry3d X_MV = Eigen::Isometry3d::Identity();
+  double inner_radius = 0;                              ///< [m] of a drum; 0: a chamber
+  Eigen::Vector3d half_size = Eigen::Vector3d::Zero();  ///< [m] x and y of a chamber's inside
+  double net_z = 0;  ///< [m] what a charge comes to rest on: net or tray
+  double rim_z = 0;  ///< [m] upper end of the drum, roof of the chamber
 };
 
 /// One training area with a local origin of its own, so that millimetres survive 1.5 km away from
@@ -37,6 +75,8 @@ struct ModuleModel {
   Attitude start_attitude;      ///< at the local origin
   std::vector<WorldObject> objects;
   std::vector<CollisionTriangle> triangles;
+  std::vector<MovableObject> movables;
+  std::vector<VesselSpec> vessels;
 };
 
 /// Light and air for the cameras.

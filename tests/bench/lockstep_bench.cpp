@@ -17,6 +17,7 @@ void FirstDrive(benchmark::State& state) {
   eod::lockstep::RigConfig config;
   config.bridge.dbc_file = data / "dbc/control_box.dbc";
   config.bridge.map_file = data / "dbc/control_box.map.toml";
+  config.sim.simulator.exercise = eod::sim::LoadRules(data / "sim/rules/eod_rules.toml");
   eod::box::BoxNodeConfig box;
   box.dbc_file = config.bridge.dbc_file;
   box.map_file = config.bridge.map_file;

@@ -100,8 +100,8 @@ class CheckHouse(unittest.TestCase):
         self.assert_violation(
             {"sim/segments/a.cpp": "#include <LinearMath/btVector3.h>\n"
                                    "#include <btBulletCollisionCommon.h>\n"},
-            "sim/segments/a.cpp:1: only sim/world includes Bullet: LinearMath/btVector3.h",
-            "sim/segments/a.cpp:2: only sim/world includes Bullet: btBulletCollisionCommon.h")
+            "sim/segments/a.cpp:1: only sim/world and sim/bodies include Bullet: LinearMath/btVector3.h",
+            "sim/segments/a.cpp:2: only sim/world and sim/bodies include Bullet: btBulletCollisionCommon.h")
         self.assert_violation(
             {"sim/world/a.cpp": "#include <embree3/rtcore.h>\n#include <osgSim/LineOfSight>\n"},
             "sim/world/a.cpp:1: only tests/bench includes Embree and OpenSceneGraph: "

@@ -15,6 +15,7 @@ MAX_MAIN_LINES = 60
 # The stages of the simulator: each sees the ones before it, as far as it needs them.
 _SIM_STAGES = {
     "sim/geometry": [],
+    "sim/rules": [],
     "sim/sdf": ["sim/geometry"],
     "sim/segments": ["sim/geometry"],
     "sim/robot": ["sim/geometry", "sim/sdf", "sim/segments"],
@@ -22,11 +23,16 @@ _SIM_STAGES = {
     "sim/motion": ["sim/geometry", "sim/robot", "sim/world"],
     "sim/isectors": ["sim/geometry", "sim/segments", "sim/robot", "sim/world", "sim/motion"],
     "sim/response": ["sim/geometry", "sim/segments", "sim/robot", "sim/world", "sim/motion", "sim/isectors"],
-    "sim/task": ["sim/geometry", "sim/segments", "sim/robot", "sim/world", "sim/motion", "sim/isectors",
-                 "sim/response"],
-    "sim/alarms": ["sim/geometry", "sim/segments", "sim/robot", "sim/world", "sim/motion", "sim/isectors",
+    "sim/bodies": ["sim/geometry", "sim/segments", "sim/robot", "sim/world"],
+    "sim/stance": ["sim/geometry", "sim/segments", "sim/robot", "sim/world", "sim/motion", "sim/isectors"],
+    "sim/disposal": ["sim/geometry", "sim/rules", "sim/segments", "sim/robot", "sim/world", "sim/motion",
+                     "sim/isectors", "sim/response", "sim/bodies"],
+    "sim/plume": ["sim/geometry", "sim/rules"],
+    "sim/task": ["sim/geometry", "sim/rules", "sim/segments", "sim/robot", "sim/world", "sim/motion",
+                 "sim/isectors", "sim/response", "sim/disposal"],
+    "sim/alarms": ["sim/geometry", "sim/rules", "sim/disposal", "sim/segments", "sim/robot", "sim/world", "sim/motion", "sim/isectors",
                    "sim/response", "sim/task"],
-    "sim/camera": ["sim/geometry", "sim/robot", "sim/world", "platform"],
+    "sim/camera": ["sim/geometry", "sim/robot", "sim/world", "sim/plume", "platform"],
 }
 
 # Folder to the folders that it may include, itself always among them. A folder that is not here
@@ -64,7 +70,7 @@ class Privilege:
 PRIVILEGES = (
     Privilege("only sim/sdf includes SDFormat", r"sim/sdf/|tests/", headers=r"(sdf|ignition|gz)/"),
     Privilege("only sim/camera includes OpenGL", r"sim/camera/|tests/", headers=r"(GL|GLES\d?|EGL)/"),
-    Privilege("only sim/world includes Bullet", r"sim/world/|tests/bench/",
+    Privilege("only sim/world and sim/bodies include Bullet", r"sim/(world|bodies)/|tests/bench/",
               headers=r"(bullet/|Bullet(Collision|Dynamics|SoftBody)/|LinearMath/|bt[A-Z])"),
     Privilege("only tests/bench includes Embree and OpenSceneGraph", r"tests/bench/",
               headers=r"(embree\d*|osg[A-Za-z]*|OpenThreads)/"),

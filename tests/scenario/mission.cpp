@@ -13,6 +13,7 @@ RigConfig Mission::ShippedRig() {
   RigConfig config;
   config.bridge.dbc_file = kData / "dbc/control_box.dbc";
   config.bridge.map_file = kData / "dbc/control_box.map.toml";
+  config.sim.simulator.exercise = ShippedData().rules;
   return config;
 }
 

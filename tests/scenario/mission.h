@@ -18,6 +18,7 @@ inline const std::filesystem::path kData = EOD_DATA_DIR;
 struct Shipped {
   sim::RobotModel robot = sim::LoadRobot(kData / "sim/robots/eod_robot.sdf");
   sim::WorldModel world = sim::LoadWorld(kData / "sim/worlds/training_ground.sdf");
+  sim::Rules rules = sim::LoadRules(kData / "sim/rules/eod_rules.toml");
   sim::Scenario scenario = sim::LoadScenario(kData / "sim/scenarios/flat_first_drive.toml");
 };
 const Shipped& ShippedData();

@@ -21,7 +21,9 @@ std::vector<LinkPoseList> DriveToWall(const sim::RobotModel& robot, const sim::W
                                       int frames) {
   sim::Scenario scenario;
   scenario.module = 1;
-  sim::Simulator simulator(robot, world, scenario, {});
+  sim::SimulatorConfig config;
+  config.exercise = sim::LoadRules(EOD_DATA_DIR "/sim/rules/eod_rules.toml");
+  sim::Simulator simulator(robot, world, scenario, config);
   sim::OperatorCommand command;
   command.motion_permitted = true;
   command.motion_rate[sim::kDriveForward] = 1;

@@ -14,7 +14,7 @@ constexpr uint32_t kFrontWheels = 0b11;
 
 /// Rules and table together; returns the changes of one step.
 struct Board {
-  AlarmRules rules;
+  AlarmRules rules{{.alarm = 25 * kDegree, .rollover = 45 * kDegree}};
   AlarmTable table;
 
   std::vector<AlarmChange> Step(const AlarmInputs& inputs) {

@@ -53,7 +53,8 @@ WorldModel TwoModules() {
 TEST(IsectorRules, ModuleMasksKeepOtherModulesOut) {
   const WorldModel world = TwoModules();
   const auto range_ahead = [&](bool module_masks) {
-    Simulator dut(TheRobot(), world, FirstDrive(), {.rules = {.module_masks = module_masks}});
+    Simulator dut(TheRobot(), world, FirstDrive(),
+                  WithRules({.rules = {.module_masks = module_masks}}));
     dut.Step(TimePoint{}, {});
     const int sight = FindIsector(TheRobot(), "LOS_FRONT");
     return dut.isectors().isector(sight).Hit(0, dut.last().step).range;
@@ -70,7 +71,7 @@ double Penetration(const RobotModel& robot, double shift, const SimulatorConfig&
   for (CollisionTriangle& triangle : world.modules[0].triangles) {
     for (Eigen::Vector3d& corner : triangle.corner) corner.y() += shift;
   }
-  Simulator dut(robot, world, FirstDrive(), config);
+  Simulator dut(robot, world, FirstDrive(), WithRules(config));
   OperatorCommand command;
   command.motion_permitted = true;
   command.motion_rate[kDriveForward] = 1;

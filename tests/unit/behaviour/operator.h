@@ -18,6 +18,13 @@ inline const Scenario& FirstDrive() {
   return scenario;
 }
 
+/// With the rules that the product ships.
+inline SimulatorConfig WithRules(SimulatorConfig config = {}) {
+  static const Rules rules = LoadRules(kData / "sim/rules/eod_rules.toml");
+  config.exercise = rules;
+  return config;
+}
+
 /// Somebody at the controls of the shipped robot on the flat module, with a fresh command every
 /// step.
 struct Operator {
@@ -27,7 +34,7 @@ struct Operator {
   Duration period;
 
   explicit Operator(const SimulatorConfig& config = {})
-      : dut(TheRobot(), TheWorld(), FirstDrive(), config), period(config.period) {
+      : dut(TheRobot(), TheWorld(), FirstDrive(), WithRules(config)), period(config.period) {
     command.motion_permitted = true;
   }
 

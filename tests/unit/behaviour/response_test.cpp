@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/response/standing.h"
+#include "sim/stance/standing.h"
 #include "tests/unit/behaviour/fixture.h"
 
 namespace eod::sim {

@@ -40,7 +40,9 @@ class SimNodeTest : public ::testing::Test {
   static constexpr char kPrefix[] = "T_";
 
   explicit SimNodeTest(SimNodeConfig config = {.channel_prefix = kPrefix})
-      : config_(std::move(config)) {}
+      : config_(std::move(config)) {
+    config_.simulator = WithRules(config_.simulator);
+  }
 
   void SetUp() override {
     dut_ = std::make_unique<SimNode>(config_, TheRobot(), TheWorld(), FirstDrive(), lcm_, clock_);

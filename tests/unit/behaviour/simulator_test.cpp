@@ -271,7 +271,7 @@ TEST(Simulator, MissionMayStartWithoutTheMenu) {
 TEST(Simulator, ConfigurationThatDoesNotFitIsRefused) {
   const auto error_of = [](const Scenario& scenario, Duration period) -> std::string {
     try {
-      Simulator(TheRobot(), TheWorld(), scenario, {.period = period});
+      Simulator(TheRobot(), TheWorld(), scenario, WithRules({.period = period}));
     } catch (const std::runtime_error& error) {
       return error.what();
     }

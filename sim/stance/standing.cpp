@@ -1,4 +1,4 @@
-#include "sim/response/standing.h"
+#include "sim/stance/standing.h"
 
 namespace eod::sim {
 namespace {

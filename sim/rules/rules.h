@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+
+namespace eod::sim {
+
+/// When the robot's tilt is told to the operator [rad].
+struct TiltRules {
+  double alarm = 0;     ///< tilt beyond this is an alarm
+  double rollover = 0;  ///< beyond this the robot lies on its back
+};
+
+/// Tuning of the exercise: what is no property of the robot or of a world. Every number comes from
+/// a data file, with its unit and source.
+struct Rules {
+  std::filesystem::path file;
+  TiltRules tilt;
+};
+
+/// Reads and checks the rules. Throws std::runtime_error with one line "FILE:LINE: …".
+Rules LoadRules(const std::filesystem::path& file);
+
+}  // namespace eod::sim

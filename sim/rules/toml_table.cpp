@@ -1,0 +1,107 @@
+#include "sim/rules/toml_table.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace eod::sim {
+namespace {
+
+/// Fewest insertions, deletions and replacements that make `a` of `b`.
+size_t EditDistance(std::string_view a, std::string_view b) {
+  std::vector<size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), size_t{0});
+  for (size_t i = 0; i < a.size(); ++i) {
+    size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (size_t j = 0; j < b.size(); ++j) {
+      const size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+toml::table ParseToml(const std::filesystem::path& file, std::string_view kind) {
+  if (!std::filesystem::is_regular_file(file)) {
+    throw std::runtime_error(fmt::format("{}: no such {} file", file.string(), kind));
+  }
+  try {
+    return toml::parse_file(file.string());
+  } catch (const toml::parse_error& error) {
+    throw std::runtime_error(
+        fmt::format("{}:{}: {}", file.string(), error.source().begin.line, error.description()));
+  }
+}
+
+std::string_view NearestName(std::string_view name, std::span<const std::string_view> known) {
+  return *std::min_element(known.begin(), known.end(), [name](const auto& a, const auto& b) {
+    return EditDistance(name, a) < EditDistance(name, b);
+  });
+}
+
+void TomlTable::Fail(unsigned line, const std::string& what) const {
+  throw std::runtime_error(fmt::format("{}:{}: {}", file_.string(), line, what));
+}
+
+void TomlTable::RejectUnknownKeys(std::span<const std::string_view> known) const {
+  for (const auto& [key, node] : table_) {
+    if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+    Fail(key.source().begin.line, fmt::format("unknown key '{}'; did you mean '{}'?", key.str(),
+                                              NearestName(key.str(), known)));
+  }
+}
+
+unsigned TomlTable::LineOf(std::string_view key) const {
+  const toml::node* node = table_.get(key);
+  return node == nullptr ? line() : node->source().begin.line;
+}
+
+std::string TomlTable::Text(std::string_view key, std::optional<std::string> fallback) const {
+  return Value<std::string>(key, "text", std::move(fallback));
+}
+
+double TomlTable::Number(std::string_view key, double low, double high,
+                         std::optional<double> fallback) const {
+  const double value = Value<double>(key, "a number", fallback);
+  if (!(value >= low && value <= high)) {
+    Fail(LineOf(key), fmt::format("{} = {}, allowed {} .. {}", key, value, low, high));
+  }
+  return value;
+}
+
+int64_t TomlTable::Integer(std::string_view key, int64_t low, int64_t high,
+                           std::optional<int64_t> fallback) const {
+  const int64_t value = Value<int64_t>(key, "a whole number", fallback);
+  if (value < low || value > high) {
+    Fail(LineOf(key), fmt::format("{} = {}, allowed {} .. {}", key, value, low, high));
+  }
+  return value;
+}
+
+TomlTable TomlTable::Table(std::string_view key) const {
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) Fail(line(), fmt::format("table [{}] is missing", key));
+  if (!node->is_table()) Fail(LineOf(key), fmt::format("'{}' has to be a table: [{}]", key, key));
+  return {file_, *node->as_table()};
+}
+
+template <typename T>
+T TomlTable::Value(std::string_view key, std::string_view type, std::optional<T> fallback) const {
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) {
+    if (fallback) return *std::move(fallback);
+    Fail(line(), fmt::format("key '{}' is missing", key));
+  }
+  const std::optional<T> value = node->value<T>();
+  if (!value) Fail(LineOf(key), fmt::format("'{}' has to be {}", key, type));
+  return *value;
+}
+
+}  // namespace eod::sim
