@@ -46,6 +46,9 @@ class LockStepRig {
   /// Hears of every step of the simulator.
   void SetStepSink(StepSink sink) { step_sink_ = std::move(sink); }
 
+  /// Hears what cameras would be shown. Before the first tick.
+  void SetSceneOutput(sim::SceneOutput output) { sim_.SetSceneOutput(std::move(output)); }
+
   /// Advances virtual time by one tick.
   void Tick();
   void RunFor(Duration duration);

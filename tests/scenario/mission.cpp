@@ -17,12 +17,19 @@ RigConfig Mission::ShippedRig() {
   return config;
 }
 
+sim::Scenario ShippedScenario(const std::string& name) {
+  return sim::LoadScenario(kData / "sim/scenarios" / (name + ".toml"));
+}
+
 Mission::Mission(const std::filesystem::path& script, const RigConfig& config)
-    : rig_(config, ShippedData().robot, ShippedData().world, ShippedData().scenario) {
+    : Mission(box::LoadScript(script), ShippedData().scenario, config) {}
+
+Mission::Mission(const box::Script& script, const sim::Scenario& scenario, const RigConfig& config)
+    : rig_(config, ShippedData().robot, ShippedData().world, scenario) {
   box::BoxNodeConfig box;
   box.dbc_file = config.bridge.dbc_file;
   box.map_file = config.bridge.map_file;
-  box.script = box::LoadScript(script);
+  box.script = script;
   box_ = &rig_.AddBox(box);
   listener_ = rig_.Connect();
   rig_.SetStepSink([this](const sim::StepResult& step, const sim::AlarmTable& alarms) {

@@ -23,11 +23,17 @@ struct Shipped {
 };
 const Shipped& ShippedData();
 
+/// A scenario as shipped, by the name of its file without ".toml".
+sim::Scenario ShippedScenario(const std::string& name);
+
 /// A whole mission in lock-step, driven by an operator script through the box, with everything that
 /// was on the bus and every state kept as text.
 class Mission {
  public:
+  /// The first drive, by a script file.
   explicit Mission(const std::filesystem::path& script, const RigConfig& config = ShippedRig());
+  Mission(const box::Script& script, const sim::Scenario& scenario,
+          const RigConfig& config = ShippedRig());
 
   static RigConfig ShippedRig();
 
@@ -36,12 +42,13 @@ class Mission {
 
   LockStepRig& rig() { return rig_; }
   box::BoxNode& box() { return *box_; }
+  /// One millisecond.
+  void Tick();
+
   std::string can_log() const { return can_log_.str(); }
   std::string states() const { return states_.str(); }
 
  private:
-  void Tick();
-
   LockStepRig rig_;
   box::BoxNode* box_;
   std::unique_ptr<CanBus> listener_;
