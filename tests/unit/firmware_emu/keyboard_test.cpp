@@ -127,6 +127,91 @@ TEST(Keyboard, ControlKeysMoveTheirControls) {
   EXPECT_FALSE(controls.lamp_test);
 }
 
+TEST(Keyboard, EightGoesRoundTheFiveModulesAndTheMenuKeysPressTheirKey) {
+  OperatorHands hands;
+  const auto press = [&hands](char c) { PressKey(Character(c), At(seconds(0)), hands); };
+  for (const auto module : {dbc::Module::kFlat, dbc::Module::kSlope, dbc::Module::kBomb,
+                            dbc::Module::kOutdoor, dbc::Module::kIndoor, dbc::Module::kFlat}) {
+    press('8');
+    EXPECT_EQ(hands.inputs().controls.menu_module, module);
+  }
+  const std::vector<std::pair<char, dbc::MenuCommand>> keys{{'9', dbc::MenuCommand::kStart},
+                                                            {'6', dbc::MenuCommand::kPause},
+                                                            {'7', dbc::MenuCommand::kResume},
+                                                            {'0', dbc::MenuCommand::kReset},
+                                                            {'E', dbc::MenuCommand::kEnd}};
+  for (const auto& [key, command] : keys) {
+    press(key);
+    EXPECT_EQ(hands.inputs().controls.menu_command, command) << key;
+  }
+}
+
+TEST(Keyboard, CapitalsRequestThePresetsWhileTheyRepeat) {
+  const std::string keys = "STGCDUJ";  // stow 1 to stair down 7
+  for (int preset = 1; preset <= 7; ++preset) {
+    OperatorHands hands;
+    const Key key = Character(keys[preset - 1]);
+    PressKey(key, At(seconds(0)), hands);
+    PressKey(key, At(milliseconds(250)), hands);
+    hands.Tick(At(milliseconds(549)));
+    EXPECT_EQ(hands.inputs().controls.preset, preset);
+    hands.Tick(At(milliseconds(550)));
+    EXPECT_EQ(hands.inputs().controls.preset, 0) << "let go 0.3 s after the last repeat";
+  }
+}
+
+TEST(Keyboard, AnotherPresetKeyTakesOverAtOnce) {
+  OperatorHands hands;
+  PressKey(Character('S'), At(seconds(0)), hands);
+  PressKey(Character('C'), At(milliseconds(100)), hands);
+  EXPECT_EQ(hands.inputs().controls.preset, 4);
+  hands.Tick(At(milliseconds(399)));
+  EXPECT_EQ(hands.inputs().controls.preset, 4);
+  hands.Tick(At(milliseconds(400)));
+  EXPECT_EQ(hands.inputs().controls.preset, 0);
+}
+
+TEST(Keyboard, FirePanelCanBeArmedAndFiredWithTwoKeys) {
+  OperatorHands hands;
+  const dbc::PanelState& controls = hands.inputs().controls;
+  PressKey(Character('A'), At(seconds(0)), hands);
+  EXPECT_EQ(controls.arm_key, dbc::FireContact::kOn);
+  for (const int circuit : {1, 2, 3, 0, 1}) {
+    PressKey(Character('N'), At(seconds(0)), hands);
+    EXPECT_EQ(controls.circuit, circuit);
+  }
+  // Fire rule 7 wants both buttons pressed within 500 ms of each other and then held for 300 ms.
+  PressKey(Character('L'), At(milliseconds(1000)), hands);
+  PressKey(Character('R'), At(milliseconds(1400)), hands);
+  hands.Tick(At(milliseconds(1999)));
+  EXPECT_EQ(controls.fire_left, dbc::FireContact::kOn);
+  EXPECT_EQ(controls.fire_right, dbc::FireContact::kOn);
+  hands.Tick(At(milliseconds(2000)));
+  EXPECT_EQ(controls.fire_left, dbc::FireContact::kOff);
+  hands.Tick(At(milliseconds(2400)));
+  EXPECT_EQ(controls.fire_right, dbc::FireContact::kOff);
+  PressKey(Character('A'), At(seconds(3)), hands);
+  EXPECT_EQ(controls.arm_key, dbc::FireContact::kOff);
+}
+
+TEST(Keyboard, LightJointRateAndAlarmResetHaveKeys) {
+  OperatorHands hands;
+  const auto press = [&hands](char c) { PressKey(Character(c), At(seconds(0)), hands); };
+  const dbc::PanelState& controls = hands.inputs().controls;
+  for (const int light : {1, 2, 3, 0}) {
+    press('l');
+    EXPECT_EQ(controls.light, light);
+  }
+  press('5');
+  EXPECT_DOUBLE_EQ(controls.joint_rate, 1.0) << "no more than all";
+  for (int i = 0; i < 12; ++i) press('4');
+  EXPECT_DOUBLE_EQ(controls.joint_rate, 0.1) << "never none: a dead key would puzzle";
+  press('5');
+  EXPECT_DOUBLE_EQ(controls.joint_rate, 0.2);
+  press('B');
+  EXPECT_TRUE(controls.alarm_reset);
+}
+
 TEST(Keyboard, CapitalQQuitsAndUnknownKeysDoNothing) {
   OperatorHands hands;
   const PanelInputs before = hands.inputs();
@@ -160,10 +245,78 @@ TEST(Screen, FitsInto80By24WithEverythingShown) {
   status.reported.motion.fill(true);
   status.lit.fill(true);
   status.rx = 4000000000u;
-  const std::vector<size_t> widths = LineWidths(DrawPanel(status, {}));
+  status.buzzer = dbc::BuzzerPattern::kContinuous;
+  status.is_sounding = true;
+  status.feedback.alarm_code = 255;
+  const std::string screen = DrawPanel(status, {});
+  EXPECT_NE(screen.find("tilt -179.99\x1b"), std::string::npos) << "joints uncut";
+  const std::vector<size_t> widths = LineWidths(screen);
   EXPECT_LE(widths.size(), static_cast<size_t>(kScreenHeight));
   EXPECT_GE(widths.size(), 20u);
   for (const size_t width : widths) EXPECT_LE(width, static_cast<size_t>(kScreenWidth));
+}
+
+TEST(Screen, ShowsTheMissionTheBombAndTheFirePanelUncut) {
+  PanelStatus status;
+  status.feedback.mission_state = 4;  // fail
+  status.feedback.step = status.feedback.steps = 15;
+  status.feedback.score = 100;
+  status.feedback.elapsed_s = 6553.5;
+  status.feedback.collisions = 255;
+  status.feedback.fail_reason = 4;  // out of area, the longest word
+  status.feedback.bomb_state = 9;
+  status.feedback.grasp_state = 3;
+  status.feedback.fire_state = 1;
+  status.feedback.circuit_continuity = 0b111;
+  PanelInputs inputs;
+  inputs.estop_pressed = true;
+  inputs.controls.key = dbc::KeySwitch::kMaintenance;
+  inputs.controls.deadman = dbc::Deadman::kReleased;
+  inputs.controls.speed_range = dbc::SpeedRange::kCreep;
+  inputs.controls.joint_rate = 0.3;
+  inputs.controls.menu_module = dbc::Module::kOutdoor;
+  inputs.controls.camera = dbc::CameraSelect::kGripper;
+  inputs.controls.light = 2;
+  inputs.controls.preset = 3;
+  inputs.controls.arm_key = dbc::FireContact::kOn;
+  inputs.controls.circuit = 2;
+  inputs.controls.fire_left = dbc::FireContact::kOff;
+  inputs.controls.fire_right = dbc::FireContact::kOn;
+  const std::string screen = DrawPanel(status, inputs);
+  for (const auto* text :
+       {"Mission fail    done 15/15  score 100.0  6554 s  hits 255  failure out_of_area\x1b",
+        "Bomb disrupted", "Grasp contact_right", "Fire armed_wait", "Circuits ready 1 2 3\x1b",
+        "Speed creep 100 %  Joints  30 %\x1b", "Module outdoor", "Camera gripper", "Light gripper",
+        "Preset ground_pick\x1b", "Arm key armed", "Circuit 2", "Fire left released",
+        "right pressed"}) {
+    EXPECT_NE(screen.find(text), std::string::npos) << text << "\n" << screen;
+  }
+}
+
+TEST(Screen, LegendNamesEveryKeyThatDoesSomething) {
+  const std::string screen = DrawPanel(PanelStatus{}, {});
+  const std::string legend = screen.substr(screen.find(" arrows drive"));
+  for (char c = '!'; c <= '~'; ++c) {
+    OperatorHands hands;
+    if (PressKey(Character(c), At(seconds(0)), hands) == KeyOutcome::kUnused) continue;
+    // A key stands alone, or in a pair such as "y/h".
+    bool is_named = false;
+    for (size_t i = legend.find(c); i != std::string::npos; i = legend.find(c, i + 1)) {
+      const bool begins = legend[i - 1] == ' ' || legend[i - 1] == '/';
+      const bool ends = legend[i + 1] == ' ' || legend[i + 1] == '/';
+      is_named = is_named || (begins && ends);
+    }
+    EXPECT_TRUE(is_named) << c;
+  }
+}
+
+TEST(Screen, ShowsPayloadAndTiltAsReasons) {
+  PanelStatus status;
+  status.feedback.inhibit_mask = 1u << 8;
+  status.feedback.inhibit_reason = dbc::InhibitReason::kPayload;
+  EXPECT_NE(DrawPanel(status, {}).find("Inhibited M09 (payload)"), std::string::npos);
+  status.feedback.inhibit_reason = dbc::InhibitReason::kTilt;
+  EXPECT_NE(DrawPanel(status, {}).find("Inhibited M09 (tilt)"), std::string::npos);
 }
 
 TEST(Screen, ShowsLitLampsInColourAndInhibitedMotions) {
@@ -189,6 +342,32 @@ TEST(Journal, TellsEachChangeOnce) {
   EXPECT_EQ(dut.Observe(status),
             (std::vector<std::string>{"lamp collision fast", "inhibited M01 (collision)",
                                       "contact front left wheel, front right wheel"}));
+  EXPECT_TRUE(dut.Observe(status).empty());
+}
+
+TEST(Journal, TellsANewReasonForTheSameMotions) {
+  PanelJournal dut;
+  PanelStatus status;
+  status.feedback.inhibit_mask = 1u << 8;
+  status.feedback.inhibit_reason = dbc::InhibitReason::kPayload;
+  EXPECT_EQ(dut.Observe(status), std::vector<std::string>{"inhibited M09 (payload)"});
+  status.feedback.inhibit_reason = dbc::InhibitReason::kTilt;
+  EXPECT_EQ(dut.Observe(status), std::vector<std::string>{"inhibited M09 (tilt)"});
+}
+
+TEST(Journal, TellsGraspBombFireAndTheMissionsSteps) {
+  PanelJournal dut;
+  PanelStatus status;
+  status.feedback.grasp_state = 5;
+  status.feedback.bomb_state = 4;
+  status.feedback.fire_state = 1;
+  status.feedback.mission_state = 4;
+  status.feedback.fail_reason = 8;
+  status.feedback.step = 2;
+  status.feedback.steps = 12;
+  EXPECT_EQ(dut.Observe(status),
+            (std::vector<std::string>{"grasp grasped", "bomb grasped", "fire armed_wait",
+                                      "mission fail", "failure bomb_lost", "steps done 2 of 12"}));
   EXPECT_TRUE(dut.Observe(status).empty());
 }
 
