@@ -78,9 +78,12 @@ void Bridge::TakeBoxFrame(const dbc::Received<BoxMessage>& received) {
     if (IsMetered(role)) meter_.Count(now_);
     if (role == BoxMessage::kPanel) TakePanel();
     if (role == BoxMessage::kFire) last_fire_ = now_;
+    is_fire_doubtful_ = is_fire_doubtful_ && role != BoxMessage::kFire;
     supervision_.Accept(now_, role, panel_);
     return;
   }
+  // A fire frame that is wrong in any way makes the one before it doubtful too.
+  is_fire_doubtful_ = is_fire_doubtful_ || role == BoxMessage::kFire;
   if (received.verdict == FrameVerdict::kWrongCrc) ++rejects_.crc;
   if (received.verdict == FrameVerdict::kWrongLength) ++rejects_.length;
   if (received.verdict == FrameVerdict::kRepeated ||
@@ -158,8 +161,10 @@ const BridgeOutput& Bridge::Finish() {
 }
 
 void Bridge::PublishCommand() {
+  const bool is_fire_fresh = IsWithin(last_fire_, config_.limits.frame_age) && !is_fire_doubtful_;
   const BoxCommand command =
-      ComposeCommand(supervision(), panel_, IsWithin(last_panel_, config_.panel_age));
+      ComposeCommand(supervision(), panel_,
+                     {.panel = IsWithin(last_panel_, config_.panel_age), .fire = is_fire_fresh});
   if (command == published_command_ && now_ < command_due_) return;
   output_.command = command;
   published_command_ = command;
@@ -222,10 +227,10 @@ void Bridge::RefreshFeedback() {
                        .panel = panel_,
                        .mission_sound = is_sounding ? mission_sound_ : dbc::BuzzerPattern::kOff,
                        .is_link_alive = supervision_.is_link_alive(),
+                       .is_simulator_alive = supervision_.is_simulator_alive(),
                        .is_panel_seen = IsWithin(last_panel_, config_.panel_age),
                        .is_fire_key_seen = IsWithin(last_fire_, config_.panel_age)});
   feedback_.nmt = dbc::NmtState::kOperational;
-  if (!supervision_.is_simulator_alive()) feedback_.speed_mps = 0;
   if (const std::optional<Duration> age = supervision_.safety_age(now_)) {
     feedback_.box_frame_age_s = ToSeconds(*age);
   }
@@ -239,6 +244,9 @@ void Bridge::SendChanges() {
   if (DiffersInStatus(feedback_, sent_status_) &&
       schedule_.TakeChange(RobotMessage::kStatus, now_)) {
     Send(RobotMessage::kStatus);
+  }
+  if (DiffersInFire(feedback_, sent_fire_) && schedule_.TakeChange(RobotMessage::kFire, now_)) {
+    Send(RobotMessage::kFire);
   }
   if (EmergencyCode(supervision()) != sent_emergency_ &&
       schedule_.TakeChange(RobotMessage::kEmergency, now_)) {
@@ -260,6 +268,7 @@ void Bridge::Send(RobotMessage role) {
     sent_status_ = feedback_;
   }
   if (role == RobotMessage::kAlarm) sent_alarm_ = feedback_;
+  if (role == RobotMessage::kFire) sent_fire_ = feedback_;
   if (role == RobotMessage::kEmergency) {
     sent_emergency_ = EmergencyCode(supervision());
     feedback_.error_code = sent_emergency_;

@@ -43,8 +43,9 @@ struct BridgeOutput {
 /// The robot's end of the link: box frames to commands, robot state and alarms to frames.
 ///
 /// Event driven: whatever an input changes is in the output of that very call. Ramps, time-outs and
-/// cyclic messages happen in `Tick`. If another robot's frame is seen on the bus, the bridge sends
-/// nothing any more. Outputs are valid until the next call. No allocation after the first second.
+/// cyclic messages happen in `Tick`. Only robot messages are ever sent: the fire panel goes into
+/// the command, to no bus. If another robot's frame is seen on the bus, the bridge sends nothing
+/// any more. Outputs are valid until the next call. No allocation after the first second.
 class Bridge {
  public:
   /// `map` must outlive the bridge. Throws std::runtime_error "FILE:LINE: …" if the map does not
@@ -93,12 +94,14 @@ class Bridge {
   dbc::RobotFeedback feedback_;
   dbc::RobotFeedback sent_status_;
   dbc::RobotFeedback sent_alarm_;
+  dbc::RobotFeedback sent_fire_;
   int sent_emergency_ = 0;
   bool has_booted_ = false;
   bool is_foreign_robot_ = false;
   bool was_acknowledged_ = false;
   std::optional<TimePoint> last_panel_;
   std::optional<TimePoint> last_fire_;
+  bool is_fire_doubtful_ = false;  ///< the last fire frame was dropped
   std::optional<TimePoint> mission_sound_end_;
   dbc::BuzzerPattern mission_sound_ = dbc::BuzzerPattern::kOff;
 

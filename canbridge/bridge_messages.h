@@ -12,6 +12,17 @@
 
 namespace eod::bridge {
 
+/// The fire panel as the box reports it; the values of a new one are the safe ones.
+struct FirePanel {
+  dbc::FireContact arm_key = dbc::FireContact::kOff;
+  dbc::FireContact fire_left = dbc::FireContact::kOff;
+  dbc::FireContact fire_right = dbc::FireContact::kOff;
+  int circuit = 0;     ///< 0 none, 1..3
+  int nonce_echo = 0;  ///< 0..255
+
+  bool operator==(const FirePanel&) const = default;
+};
+
 /// What the operator asks of the robot: box_command_t in the bridge's own terms. Two equal commands
 /// need not be published twice.
 struct BoxCommand {
@@ -23,6 +34,7 @@ struct BoxCommand {
   dbc::SpeedRange speed_range = dbc::SpeedRange::kCreep;
   dbc::ControlMode control_mode = dbc::ControlMode::kNone;
   int preset = 0;
+  FirePanel fire;  ///< for the simulator alone: it goes to no CAN bus
   dbc::Module menu_module = dbc::Module::kNone;
   dbc::MenuCommand menu_command = dbc::MenuCommand::kNone;
   dbc::CameraSelect camera_select = dbc::CameraSelect::kDrive;
@@ -48,6 +60,9 @@ struct RobotReport {
   uint32_t inhibit_mask = 0;
   dbc::InhibitReason inhibit_reason = dbc::InhibitReason::kNone;
   int grasp_state = 0;
+  int fire_state = 0;
+  int fire_nonce = 0;               ///< 0..255
+  uint32_t circuit_continuity = 0;  ///< bit c-1: circuit c has its cartridge
   double battery_v = 0;
   double battery_soc = 0;
 };

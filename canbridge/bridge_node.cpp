@@ -22,6 +22,9 @@ RobotReport ToReport(const robot_state_t& message) {
   report.inhibit_mask = static_cast<uint32_t>(message.inhibit_mask);
   report.inhibit_reason = static_cast<dbc::InhibitReason>(message.inhibit_reason);
   report.grasp_state = message.grasp_state;
+  report.fire_state = message.fire_state;
+  report.fire_nonce = message.fire_nonce;
+  report.circuit_continuity = static_cast<uint8_t>(message.circuit_continuity);
   report.battery_v = message.battery_v;
   report.battery_soc = message.battery_soc;
   return report;
@@ -129,6 +132,11 @@ void BridgeNode::Publish(TimePoint now, const BoxCommand& command) {
   message.speed_range = static_cast<int8_t>(command.speed_range);
   message.control_mode = static_cast<int8_t>(command.control_mode);
   message.preset = static_cast<int8_t>(command.preset);
+  message.arm_key = static_cast<int8_t>(command.fire.arm_key);
+  message.fire_left = static_cast<int8_t>(command.fire.fire_left);
+  message.fire_right = static_cast<int8_t>(command.fire.fire_right);
+  message.circuit = static_cast<int8_t>(command.fire.circuit);
+  message.nonce_echo = static_cast<int16_t>(command.fire.nonce_echo);
   message.menu_module = static_cast<int8_t>(command.menu_module);
   message.menu_command = static_cast<int8_t>(command.menu_command);
   message.camera_select = static_cast<int8_t>(command.camera_select);

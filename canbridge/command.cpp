@@ -11,7 +11,7 @@ Enum KnownOr(Enum value, Enum otherwise) {
 }  // namespace
 
 BoxCommand ComposeCommand(const Supervision& supervision, const dbc::PanelState& panel,
-                          bool is_panel_fresh) {
+                          const PanelFreshness& fresh) {
   BoxCommand command;
   command.system_state = supervision.state;
   command.motion_permitted = supervision.motion_permitted;
@@ -25,7 +25,14 @@ BoxCommand ComposeCommand(const Supervision& supervision, const dbc::PanelState&
   command.camera_select = KnownOr(panel.camera, dbc::CameraSelect::kDrive);
   command.light = panel.light;
   command.infrared = panel.infrared;
-  if (is_panel_fresh) {
+  if (fresh.fire && supervision.motion_permitted) {
+    command.fire = {.arm_key = panel.arm_key,
+                    .fire_left = panel.fire_left,
+                    .fire_right = panel.fire_right,
+                    .circuit = panel.circuit,
+                    .nonce_echo = panel.nonce_echo};
+  }
+  if (fresh.panel) {
     command.menu_command = panel.menu_command;
     command.camera_zoom = panel.camera_zoom;
     command.horn = panel.horn;

@@ -42,6 +42,17 @@ LampPattern MissionLamp(int mission_state) {
   }
 }
 
+// ROB_FIRE.FireState.
+constexpr int kFireReady = 2;
+constexpr int kFireFired = 3;
+constexpr int kFireFault = 4;
+
+LampPattern ArmedLamp(int fire_state, bool is_key_armed) {
+  if (fire_state == kFireFault) return LampPattern::kFastBlink;
+  if (fire_state == kFireReady) return LampPattern::kSlowBlink;
+  return OnIf(is_key_armed);
+}
+
 std::array<LampPattern, dbc::kLampCount> ComposeLamps(const FeedbackSources& sources) {
   std::array<LampPattern, dbc::kLampCount> lamps{};
   const auto set = [&lamps](Lamp lamp, LampPattern pattern) {
@@ -55,8 +66,11 @@ std::array<LampPattern, dbc::kLampCount> ComposeLamps(const FeedbackSources& sou
       OnIf(sources.is_link_alive && sources.panel.deadman == dbc::Deadman::kEnabled));
   set(Lamp::kGrasp, GraspLamp(sources.robot.grasp_state));
   set(Lamp::kMission, MissionLamp(sources.mission.state));
-  set(Lamp::kArmed,
-      OnIf(sources.is_fire_key_seen && sources.panel.arm_key == dbc::FireContact::kOn));
+  const int fire_state = sources.is_simulator_alive ? sources.robot.fire_state : 0;
+  const bool is_key_armed =
+      sources.is_fire_key_seen && sources.panel.arm_key == dbc::FireContact::kOn;
+  set(Lamp::kArmed, ArmedLamp(fire_state, is_key_armed));
+  set(Lamp::kFired, OnIf(fire_state == kFireFired));
   if (state == dbc::SystemState::kFault) set(Lamp::kFault, LampPattern::kFastBlink);
   set(Lamp::kCamera,
       OnIf(sources.is_panel_seen && sources.panel.camera != dbc::CameraSelect::kNotAvailable));
@@ -95,7 +109,6 @@ dbc::RobotFeedback ComposeFeedback(const FeedbackSources& sources) {
   feedback.joint = robot.joint;
   feedback.limit_flags = robot.limit_flags;
   feedback.grasp_state = robot.grasp_state;
-  feedback.speed_mps = robot.speed_mps;
   feedback.heading_deg = WrapHeading(robot.heading_deg);
   feedback.pitch_deg = robot.pitch_deg;
   feedback.roll_deg = robot.roll_deg;
@@ -108,6 +121,12 @@ dbc::RobotFeedback ComposeFeedback(const FeedbackSources& sources) {
   feedback.bomb_state = mission.bomb_state;
   feedback.fail_reason = mission.fail_reason;
   feedback.collisions = mission.collisions;
+  if (sources.is_simulator_alive) {
+    feedback.speed_mps = robot.speed_mps;
+    feedback.fire_state = robot.fire_state;
+    feedback.nonce = robot.fire_nonce;
+    feedback.circuit_continuity = robot.circuit_continuity;
+  }
   return feedback;
 }
 
@@ -119,6 +138,11 @@ bool DiffersInStatus(const dbc::RobotFeedback& a, const dbc::RobotFeedback& b) {
 bool DiffersInAlarm(const dbc::RobotFeedback& a, const dbc::RobotFeedback& b) {
   return a.buzzer != b.buzzer || a.lamp != b.lamp || a.hit_parts != b.hit_parts ||
          a.alarm_code != b.alarm_code;
+}
+
+bool DiffersInFire(const dbc::RobotFeedback& a, const dbc::RobotFeedback& b) {
+  return a.fire_state != b.fire_state || a.nonce != b.nonce ||
+         a.circuit_continuity != b.circuit_continuity;
 }
 
 }  // namespace eod::bridge

@@ -14,10 +14,10 @@ namespace {
 using Subject = Condition::Subject;
 using Comparison = Condition::Comparison;
 
-constexpr std::array<std::string_view, 21> kSubjects{
-    "lamp",    "lit",    "buzzer", "alarm",      "inhibit", "state",  "robot",
-    "mission", "module", "link",   "heading",    "pitch",   "roll",   "speed",
-    "joint",   "score",  "step",   "collisions", "battery", "travel", "turned"};
+constexpr std::array<std::string_view, 26> kSubjects{
+    "lamp",    "lit",     "buzzer", "alarm", "inhibit", "state", "robot",  "mission", "module",
+    "link",    "heading", "pitch",  "roll",  "speed",   "joint", "score",  "step",    "collisions",
+    "battery", "travel",  "turned", "grasp", "bomb",    "fire",  "reason", "failure"};
 constexpr std::array<std::string_view, 4> kComparisons{">=", "<=", ">", "<"};
 constexpr std::array<std::string_view, 2> kDownUp{"down", "up"};
 constexpr int kAnyPattern = 1;  // "on": lit steadily or blinking
@@ -106,6 +106,16 @@ int Shown(const Condition& condition, const PanelStatus& status) {
       return static_cast<int>(status.feedback.module);
     case Subject::kLink:
       return status.link_up ? 1 : 0;
+    case Subject::kGrasp:
+      return status.feedback.grasp_state;
+    case Subject::kBomb:
+      return status.feedback.bomb_state;
+    case Subject::kFire:
+      return status.feedback.fire_state;
+    case Subject::kReason:
+      return static_cast<int>(status.feedback.inhibit_reason);
+    case Subject::kFailure:
+      return status.feedback.fail_reason;
     default:
       return 0;
   }
@@ -130,6 +140,11 @@ bool IsTrue(const Condition& condition, const PanelStatus& status, const Odomete
     case Subject::kMission:
     case Subject::kModule:
     case Subject::kLink:
+    case Subject::kGrasp:
+    case Subject::kBomb:
+    case Subject::kFire:
+    case Subject::kReason:
+    case Subject::kFailure:
       return Shown(condition, status) == condition.choice;
     default:
       return Compare(condition, Quantity(condition, status, odometer));
@@ -154,6 +169,16 @@ std::span<const std::string_view> ValueWords(Subject subject) {
       return words::kModule;
     case Subject::kLink:
       return kDownUp;
+    case Subject::kGrasp:
+      return words::kGrasp;
+    case Subject::kBomb:
+      return words::kBomb;
+    case Subject::kFire:
+      return words::kFireState;
+    case Subject::kReason:
+      return words::kInhibitReason;
+    case Subject::kFailure:
+      return words::kFailure;
     default:
       return {};
   }
@@ -194,6 +219,11 @@ Condition ParseCondition(WordReader& words) {
     case Subject::kMission:
     case Subject::kModule:
     case Subject::kLink:
+    case Subject::kGrasp:
+    case Subject::kBomb:
+    case Subject::kFire:
+    case Subject::kReason:
+    case Subject::kFailure:
       condition.choice = words.TakeChoice(ValueWords(condition.subject));
       break;
     case Subject::kJoint:

@@ -32,7 +32,12 @@ struct Condition {
     kCollisions,
     kBattery,
     kTravel,
-    kTurned
+    kTurned,
+    kGrasp,
+    kBomb,
+    kFire,
+    kReason,
+    kFailure
   };
   enum class Comparison : uint8_t { kGreaterEqual, kLessEqual, kGreater, kLess };
 

@@ -45,10 +45,12 @@ std::span<const CanFrame> ControlBox::Tick(TimePoint now, const PanelInputs& inp
 
 void ControlBox::OnFrame(const CanFrame& frame, TimePoint now) {
   if (phase_ == Phase::kOff || phase_ == Phase::kBoot) return;
-  switch (codec_.Decode(frame, status_.feedback).verdict) {
+  const dbc::Received<dbc::RobotMessage> received = codec_.Decode(frame, status_.feedback);
+  switch (received.verdict) {
     case FrameVerdict::kAccepted:
       ++status_.rx;
       last_rx_ = now;
+      if (received.role == dbc::RobotMessage::kPose) status_.pose_time = now;
       status_.link_up = true;
       is_link_lost_ = false;
       return;

@@ -10,7 +10,7 @@ namespace {
 using Kind = Key::Kind;
 
 constexpr Duration kLampTestTime = std::chrono::milliseconds(1500);
-constexpr double kLimitStep = 0.1;
+constexpr double kShareStep = 0.1;
 
 constexpr Key Character(char character) {
   return {.kind = Kind::kCharacter, .character = character};
@@ -31,6 +31,15 @@ constexpr std::array kMotionKeys{
     MotionKey{Character('i'), 21},       MotionKey{Character('k'), 22},
 };
 
+// Capitals: what moves several joints at once, or fires, takes two fingers.
+struct PresetKey {
+  char character;
+  int preset;
+};
+constexpr std::array kPresetKeys{PresetKey{'S', 1}, PresetKey{'T', 2}, PresetKey{'G', 3},
+                                 PresetKey{'C', 4}, PresetKey{'D', 5}, PresetKey{'U', 6},
+                                 PresetKey{'J', 7}};
+
 std::optional<int> MotionOf(const Key& key) {
   const auto* found = std::find_if(kMotionKeys.begin(), kMotionKeys.end(),
                                    [&key](const MotionKey& entry) { return entry.key == key; });
@@ -44,8 +53,46 @@ int NextKeyPosition(dbc::KeySwitch key) {
 
 int NextCamera(dbc::CameraSelect camera) { return (static_cast<int>(camera) + 1) % 5; }
 
-PanelAction SpeedLimitAction(double limit) {
-  return {.control = Control::kSpeedLimit, .share = std::clamp(limit, kLimitStep, 1.0)};
+// Flat to indoor and round again; "none" is where it begins.
+int NextModule(dbc::Module module) { return static_cast<int>(module) % 5 + 1; }
+
+int OtherArmKey(dbc::FireContact key) {
+  return static_cast<int>(key == dbc::FireContact::kOn ? dbc::FireContact::kOff
+                                                       : dbc::FireContact::kOn);
+}
+
+PanelAction DialAction(Control dial, double share) {
+  return {.control = dial, .share = std::clamp(share, kShareStep, 1.0)};
+}
+
+// Keys of the mission: menu, fire panel, and what is lit.
+std::optional<PanelAction> MissionActionOf(char character, const dbc::PanelState& controls) {
+  switch (character) {
+    case 'A':
+      return PanelAction{.control = Control::kArmKey, .choice = OtherArmKey(controls.arm_key)};
+    case 'N':
+      return PanelAction{.control = Control::kCircuit, .choice = (controls.circuit + 1) % 4};
+    case 'l':
+      return PanelAction{.control = Control::kLight, .choice = (controls.light + 1) % 4};
+    case 'b':
+      return PanelAction{.control = Control::kAcknowledge};
+    case 'B':
+      return PanelAction{.control = Control::kAlarmReset};
+    case '6':
+      return PanelAction{.control = Control::kMenu, .choice = 2};
+    case '7':
+      return PanelAction{.control = Control::kMenu, .choice = 3};
+    case '8':
+      return PanelAction{.control = Control::kModule, .choice = NextModule(controls.menu_module)};
+    case '9':
+      return PanelAction{.control = Control::kMenu, .choice = 1};
+    case '0':
+      return PanelAction{.control = Control::kMenu, .choice = 4};
+    case 'E':
+      return PanelAction{.control = Control::kMenu, .choice = 5};
+    default:
+      return std::nullopt;
+  }
 }
 
 // Control keys: what they do depends on where the control stands.
@@ -70,31 +117,43 @@ std::optional<PanelAction> ActionOf(char character, const PanelInputs& inputs) {
     case '3':
       return PanelAction{.control = Control::kSpeed, .choice = 2};
     case ',':
-      return SpeedLimitAction(controls.speed_limit - kLimitStep);
+      return DialAction(Control::kSpeedLimit, controls.speed_limit - kShareStep);
     case '.':
-      return SpeedLimitAction(controls.speed_limit + kLimitStep);
+      return DialAction(Control::kSpeedLimit, controls.speed_limit + kShareStep);
+    case '4':
+      return DialAction(Control::kRate, controls.joint_rate - kShareStep);
+    case '5':
+      return DialAction(Control::kRate, controls.joint_rate + kShareStep);
     case 'c':
       return PanelAction{.control = Control::kCamera, .choice = NextCamera(controls.camera)};
-    case 'b':
-      return PanelAction{.control = Control::kAcknowledge};
-    case '8':
-      return PanelAction{.control = Control::kModule, .choice = 1};
-    case '9':
-      return PanelAction{.control = Control::kMenu, .choice = 1};
-    case '0':
-      return PanelAction{.control = Control::kMenu, .choice = 4};
     default:
-      return std::nullopt;
+      return MissionActionOf(character, controls);
   }
+}
+
+// Keys that hold something down as long as they repeat.
+bool HoldByKey(const Key& key, TimePoint now, OperatorHands& hands) {
+  if (const std::optional<int> motion = MotionOf(key)) {
+    hands.HoldMotionUntil(*motion, now + kKeyHoldTime);
+    return true;
+  }
+  if (key == Character('L') || key == Character('R')) {
+    const bool is_left = key == Character('L');
+    hands.HoldFireUntil(is_left ? Control::kFireLeft : Control::kFireRight, now + kFireHoldTime);
+    return true;
+  }
+  for (const PresetKey& entry : kPresetKeys) {
+    if (key != Character(entry.character)) continue;
+    hands.HoldPresetUntil(entry.preset, now + kKeyHoldTime);
+    return true;
+  }
+  return false;
 }
 
 }  // namespace
 
 KeyOutcome PressKey(const Key& key, TimePoint now, OperatorHands& hands) {
-  if (const std::optional<int> motion = MotionOf(key)) {
-    hands.HoldMotionUntil(*motion, now + kKeyHoldTime);
-    return KeyOutcome::kDone;
-  }
+  if (HoldByKey(key, now, hands)) return KeyOutcome::kDone;
   if (key == Character('Q')) return KeyOutcome::kQuit;
   if (key == Character('v')) {
     hands.SetLampTestUntil(now + kLampTestTime);

@@ -17,6 +17,10 @@ struct MotionKey {
 /// Terminals tell no key-up: a key holds its motion for this long after its last repeat.
 inline constexpr Duration kKeyHoldTime = std::chrono::milliseconds(300);
 
+/// A terminal repeats only one key at a time, but firing takes two buttons: each stays down for
+/// this long after its key.
+inline constexpr Duration kFireHoldTime = std::chrono::seconds(1);
+
 /// What a key asked for beyond the controls of the box.
 enum class KeyOutcome : uint8_t { kUnused, kDone, kQuit };
 

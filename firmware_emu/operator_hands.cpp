@@ -13,6 +13,16 @@ bool TakeEnded(std::optional<TimePoint>& end, TimePoint now) {
   return true;
 }
 
+// Holds a control until `end`, but lets go no earlier than what holds it already.
+template <typename Position>
+void HoldUntil(Position& control, Position held, std::optional<TimePoint>& control_end,
+               TimePoint end) {
+  const bool is_held_longer = control == held && (!control_end || *control_end >= end);
+  if (is_held_longer) return;
+  control = held;
+  control_end = end;
+}
+
 }  // namespace
 
 void OperatorHands::Apply(const PanelAction& action, TimePoint now) {
@@ -98,6 +108,7 @@ void OperatorHands::ApplySelector(const PanelAction& action) {
       break;
     case Control::kPreset:
       controls.preset = choice;
+      preset_end_.reset();
       break;
     case Control::kCamera:
       controls.camera = static_cast<dbc::CameraSelect>(choice);
@@ -137,9 +148,11 @@ void OperatorHands::ApplySelector(const PanelAction& action) {
       break;
     case Control::kFireLeft:
       controls.fire_left = static_cast<dbc::FireContact>(choice);
+      fire_left_end_.reset();
       break;
     case Control::kFireRight:
       controls.fire_right = static_cast<dbc::FireContact>(choice);
+      fire_right_end_.reset();
       break;
     case Control::kCircuit:
       controls.circuit = choice;
@@ -153,15 +166,23 @@ void OperatorHands::ReleaseAll() {
   inputs_.controls.motion.fill(false);
   motion_end_.fill(std::nullopt);
   inputs_.controls.axis.fill({});
+  inputs_.controls.preset = 0;
+  preset_end_.reset();
 }
 
 void OperatorHands::HoldMotionUntil(int motion, TimePoint end) {
   const int m = motion - 1;
-  const bool is_held_longer =
-      inputs_.controls.motion[m] && (!motion_end_[m] || *motion_end_[m] >= end);
-  if (is_held_longer) return;
-  inputs_.controls.motion[m] = true;
-  motion_end_[m] = end;
+  HoldUntil(inputs_.controls.motion[m], true, motion_end_[m], end);
+}
+
+void OperatorHands::HoldPresetUntil(int preset, TimePoint end) {
+  HoldUntil(inputs_.controls.preset, preset, preset_end_, end);
+}
+
+void OperatorHands::HoldFireUntil(Control button, TimePoint end) {
+  const bool is_left = button == Control::kFireLeft;
+  HoldUntil(is_left ? inputs_.controls.fire_left : inputs_.controls.fire_right,
+            dbc::FireContact::kOn, is_left ? fire_left_end_ : fire_right_end_, end);
 }
 
 void OperatorHands::SetLampTestUntil(TimePoint end) {
@@ -177,6 +198,9 @@ void OperatorHands::Tick(TimePoint now) {
   if (TakeEnded(acknowledge_end_, now)) controls.buzzer_acknowledge = false;
   if (TakeEnded(alarm_reset_end_, now)) controls.alarm_reset = false;
   if (TakeEnded(lamp_test_end_, now)) controls.lamp_test = false;
+  if (TakeEnded(preset_end_, now)) controls.preset = 0;
+  if (TakeEnded(fire_left_end_, now)) controls.fire_left = dbc::FireContact::kOff;
+  if (TakeEnded(fire_right_end_, now)) controls.fire_right = dbc::FireContact::kOff;
   for (int m = 0; m < dbc::kMotionCount; ++m) {
     if (TakeEnded(motion_end_[m], now)) controls.motion[m] = false;
   }

@@ -19,6 +19,11 @@ class OperatorHands {
 
   /// Holds the button of `motion` (1..22) until `end`, or longer if it is held already.
   void HoldMotionUntil(int motion, TimePoint end);
+  /// Requests `preset` (1..7) until `end`, or longer if it is requested already.
+  void HoldPresetUntil(int preset, TimePoint end);
+  /// Holds the fire button `button` (Control::kFireLeft or kFireRight) until `end`, or longer if it
+  /// is held already.
+  void HoldFireUntil(Control button, TimePoint end);
   void SetLampTestUntil(TimePoint end);
 
   /// Lets go of what was held long enough. To be called every tick.
@@ -38,6 +43,9 @@ class OperatorHands {
   std::optional<TimePoint> acknowledge_end_;
   std::optional<TimePoint> alarm_reset_end_;
   std::optional<TimePoint> lamp_test_end_;
+  std::optional<TimePoint> preset_end_;
+  std::optional<TimePoint> fire_left_end_;
+  std::optional<TimePoint> fire_right_end_;
   std::array<std::optional<TimePoint>, dbc::kMotionCount> motion_end_;
 };
 

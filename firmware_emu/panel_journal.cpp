@@ -66,19 +66,34 @@ std::vector<std::string> PanelJournal::Observe(const PanelStatus& status) {
   if (status.buzzer != last_.buzzer) {
     lines.push_back(fmt::format("buzzer {}", WordOf(words::kBuzzer, status.buzzer)));
   }
-  if (status.feedback.inhibit_mask != last_.feedback.inhibit_mask) {
+  if (status.feedback.inhibit_mask != last_.feedback.inhibit_mask ||
+      status.feedback.inhibit_reason != last_.feedback.inhibit_reason) {
     lines.push_back(fmt::format("inhibited {} ({})", MotionsText(status.feedback.inhibit_mask),
                                 WordOf(words::kInhibitReason, status.feedback.inhibit_reason)));
   }
   if (status.feedback.hit_parts != last_.feedback.hit_parts) {
     lines.push_back(fmt::format("contact {}", PartsText(status.feedback.hit_parts)));
   }
-  if (status.feedback.mission_state != last_.feedback.mission_state) {
-    lines.push_back(
-        fmt::format("mission {}", WordOf(words::kMission, status.feedback.mission_state)));
-  }
+  ObserveMission(status.feedback, lines);
   last_ = status;
   return lines;
+}
+
+void PanelJournal::ObserveMission(const dbc::RobotFeedback& robot,
+                                  std::vector<std::string>& lines) const {
+  const dbc::RobotFeedback& last = last_.feedback;
+  const auto tell = [&lines](std::string_view what, std::span<const std::string_view> words,
+                             int before, int now) {
+    if (now != before) lines.push_back(fmt::format("{} {}", what, WordOf(words, now)));
+  };
+  tell("grasp", words::kGrasp, last.grasp_state, robot.grasp_state);
+  tell("bomb", words::kBomb, last.bomb_state, robot.bomb_state);
+  tell("fire", words::kFireState, last.fire_state, robot.fire_state);
+  tell("mission", words::kMission, last.mission_state, robot.mission_state);
+  tell("failure", words::kFailure, last.fail_reason, robot.fail_reason);
+  if (robot.step != last.step) {
+    lines.push_back(fmt::format("steps done {} of {}", robot.step, robot.steps));
+  }
 }
 
 }  // namespace eod::box

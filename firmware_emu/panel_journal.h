@@ -15,6 +15,8 @@ class PanelJournal {
   std::vector<std::string> Observe(const PanelStatus& status);
 
  private:
+  void ObserveMission(const dbc::RobotFeedback& robot, std::vector<std::string>& lines) const;
+
   PanelStatus last_;
 };
 

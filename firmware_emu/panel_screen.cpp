@@ -51,6 +51,9 @@ std::string Line(std::string_view text) {
   return fmt::format("{}{}", text.substr(0, kScreenWidth), kEndOfLine);
 }
 
+// The code as conditions of scripts have it.
+std::string AlarmText(int code) { return code == 0 ? "none" : fmt::format("{}", code); }
+
 std::string LampRow(const PanelStatus& status, int first, int last) {
   std::string row = " ";
   for (int i = first; i < last; ++i) {
@@ -62,23 +65,48 @@ std::string LampRow(const PanelStatus& status, int first, int last) {
 
 std::string JointRows(const dbc::RobotFeedback& robot) {
   const auto& j = robot.joint;
-  return Line(fmt::format(" Flippers   front {:7.2f} deg   rear {:7.2f} deg", j[0], j[1])) +
-         Line(fmt::format(" Arm        big {:7.2f}   small {:7.2f}   wrist {:7.2f} deg", j[2], j[3],
-                          j[4])) +
-         Line(fmt::format(" Gripper    roll {:7.2f} deg   opening {:6.1f} mm", j[5], j[6] * 1000)) +
-         Line(fmt::format(" Camera     pan {:7.2f}   tilt {:7.2f} deg", j[7], j[8]));
+  return Line(fmt::format(
+             " Flippers front {:7.2f}  rear {:7.2f}   Gripper roll {:7.2f}  opening {:6.1f} mm",
+             j[0], j[1], j[5], j[6] * 1000)) +
+         Line(fmt::format(
+             " Arm big {:7.2f}  small {:7.2f}  wrist {:7.2f}  Camera pan {:7.2f} tilt {:7.2f}",
+             j[2], j[3], j[4], j[7], j[8]));
+}
+
+std::string CircuitsText(uint32_t continuity) {
+  std::string text;
+  for (int circuit = 1; circuit <= 3; ++circuit) {
+    if ((continuity >> (circuit - 1) & 1u) != 0) text += fmt::format(" {}", circuit);
+  }
+  return text.empty() ? " none" : text;
+}
+
+std::string MissionRows(const dbc::RobotFeedback& robot) {
+  return Line(fmt::format(" Mission {:<7} done {}/{}  score {:.1f}  {:.0f} s  hits {}  failure {}",
+                          WordOf(words::kMission, robot.mission_state), robot.step, robot.steps,
+                          robot.score, robot.elapsed_s, robot.collisions,
+                          WordOf(words::kFailure, robot.fail_reason))) +
+         Line(fmt::format(
+             " Bomb {:<9}  Grasp {:<13}  Fire {:<10}  Circuits ready{}",
+             WordOf(words::kBomb, robot.bomb_state), WordOf(words::kGrasp, robot.grasp_state),
+             WordOf(words::kFireState, robot.fire_state), CircuitsText(robot.circuit_continuity)));
 }
 
 std::string ControlRows(const PanelInputs& inputs) {
   const dbc::PanelState& controls = inputs.controls;
   return Line(fmt::format(
-             " Key {:<11} E-stop {:<8} Deadman {:<8} Speed {:<5} {:3.0f} %",
+             " Key {:<11} E-stop {:<7} Deadman {:<8} Speed {:<5} {:3.0f} %  Joints {:3.0f} %",
              WordOf(words::kKey, controls.key), inputs.estop_pressed ? "PRESSED" : "out",
              WordOf(words::kDeadman, controls.deadman), WordOf(words::kSpeed, controls.speed_range),
-             controls.speed_limit * 100)) +
-         Line(fmt::format(" Module {:<8} Camera {:<8}",
-                          WordOf(words::kModule, controls.menu_module),
-                          WordOf(words::kCamera, controls.camera)));
+             controls.speed_limit * 100, controls.joint_rate * 100)) +
+         Line(fmt::format(
+             " Module {:<8} Camera {:<8} Light {:<8} Preset {}",
+             WordOf(words::kModule, controls.menu_module), WordOf(words::kCamera, controls.camera),
+             WordOf(words::kLight, controls.light), WordOf(words::kPreset, controls.preset))) +
+         Line(fmt::format(" Arm key {:<7} Circuit {}        Fire left {:<9} right {}",
+                          WordOf(words::kArmKey, controls.arm_key), controls.circuit,
+                          WordOf(words::kFireButton, controls.fire_left),
+                          WordOf(words::kFireButton, controls.fire_right)));
 }
 
 uint32_t PressedMotions(const PanelStatus& status) {
@@ -87,14 +115,16 @@ uint32_t PressedMotions(const PanelStatus& status) {
   return pressed;
 }
 
-constexpr std::array<std::string_view, 7> kLegend{
+constexpr std::array<std::string_view, 9> kLegend{
     " arrows drive, turn  SPACE e-stop  z release it  x deadman  n reset  ENTER start",
-    " m key switch   1 2 3 creep low high   , . speed limit   c camera   v lamp test",
-    " 8 module flat   9 menu start   0 menu reset   b buzzer off   Q or Ctrl-C quit",
+    " m key switch   1 2 3 creep low high   , . speed limit   4 5 rate of the joints",
+    " c camera  l light  v lamp test  b buzzer off  B alarm reset  Q or Ctrl-C quit",
+    " Menu: 8 module 9 start 0 reset 6 pause 7 resume E end   To drive: m m x n ENTER",
     " y/h front flipper   u/j rear flipper   q/a big arm   w/s small arm   e/d wrist",
     " r/f gripper roll    t/g gripper open/close   o/p pan left/right   i/k tilt",
-    " A key holds its motion for 0.3 s after its last repeat: keep it down to go on.",
-    " Drive: m m x n ENTER, then the arrows.",
+    " Presets: S stow T travel G ground pick C carry D can drop  U/J stair up, down",
+    " Fire: A arm key   N next circuit   L left, R right: each stays down for 1 s",
+    " A key holds its motion or preset for 0.3 s after its last repeat: keep it down.",
 };
 static_assert(std::ranges::all_of(kLegend, [](std::string_view text) {
   return text.size() <= kScreenWidth;
@@ -110,15 +140,14 @@ std::string DrawPanel(const PanelStatus& status, const PanelInputs& inputs) {
                              WordOf(words::kBoxState, status.state),
                              WordOf(words::kRobotState, robot.state),
                              status.link_up ? "up" : "DOWN", status.rx));
-  screen += Line("");
   screen += LampRow(status, 0, 7) + LampRow(status, 7, dbc::kLampCount);
-  screen +=
-      Line(fmt::format(" Buzzer {:<11} {}", buzzer, status.is_sounding ? "((( o )))" : "    o"));
-  screen += Line("");
+  screen += Line(fmt::format(" Buzzer {:<11} {:<12} Alarm {:<5} Battery {:3.0f} %", buzzer,
+                             status.is_sounding ? "((( o )))" : "    o",
+                             AlarmText(robot.alarm_code), robot.battery_soc * 100));
   screen +=
       Line(fmt::format(" Speed {:6.2f} m/s   heading {:6.1f}   pitch {:5.1f}   roll {:5.1f} deg",
                        robot.speed_mps, robot.heading_deg, robot.pitch_deg, robot.roll_deg));
-  screen += JointRows(robot);
+  screen += JointRows(robot) + MissionRows(robot);
   screen += Line(fmt::format(" Pressed   {}", MotionsText(PressedMotions(status))));
   const std::string reason =
       robot.inhibit_reason == dbc::InhibitReason::kNone

@@ -37,6 +37,7 @@ struct PanelStatus {
   bool link_up = false;         ///< a valid robot frame within the link time-out
   dbc::PanelState reported;     ///< what the box says on the bus
   dbc::RobotFeedback feedback;  ///< what the robot said last
+  TimePoint pose_time{};        ///< when it last told its pose
   std::array<dbc::LampPattern, dbc::kLampCount> lamp{};
   std::array<bool, dbc::kLampCount>
       lit{};  ///< at this moment: blink phase and lamp test counted in

@@ -4,10 +4,13 @@
 #include <array>
 #include <fstream>
 #include <iterator>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "firmware_emu/vocabulary.h"
 
 namespace eod::box {
 namespace {
@@ -45,7 +48,15 @@ void ParseWait(Statement& statement, WordReader& words) {
 
 void ParseHold(Statement& statement, WordReader& words) {
   constexpr std::array<std::string_view, 2> kForUntil{"for", "until"};
-  statement.motions = words.TakeMotions();
+  if (words.TakeIf("preset")) {
+    const int preset = words.TakeChoice(std::span(words::kPreset).subspan<1>()) + 1;
+    statement.press = {.control = Control::kPreset, .choice = preset};
+    statement.release = {.control = Control::kPreset, .choice = 0};
+  } else {
+    const uint32_t motions = words.TakeMotions();
+    statement.press = {.control = Control::kPress, .motions = motions};
+    statement.release = {.control = Control::kRelease, .motions = motions};
+  }
   if (words.TakeChoice(kForUntil) == 0) {
     statement.kind = Kind::kHoldFor;
     statement.duration = words.TakeDuration();

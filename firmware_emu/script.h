@@ -28,7 +28,8 @@ struct Statement {
   int line = 0;      ///< in the file, 1-based
   std::string text;  ///< the line as written, without leading blanks and comment
   PanelAction action;
-  uint32_t motions = 0;  ///< kHold…: bit m-1 is motion m
+  PanelAction press;    ///< kHold…: motions pressed, or a preset requested, when it begins
+  PanelAction release;  ///< kHold…: the same let go when it ends
   Condition condition;
   Duration duration{};  ///< kWaitFor, kHoldFor: how long; …Until: at most
   std::string message;  ///< kNote, kFail

@@ -27,13 +27,13 @@ const std::string& ScriptRunner::current_line() const {
 std::vector<std::string> ScriptRunner::TakeNotes() { return std::exchange(notes_, {}); }
 
 void ScriptRunner::Tick(TimePoint now, const PanelStatus& status, OperatorHands& hands) {
-  odometer_.Update(now, status.feedback);
+  odometer_.Update(now, status);
   while (!is_done_) {
     const Statement& statement = script_.statements[next_];
     if (!has_begun_) Begin(statement, now, status, hands);
     const bool has_ended = HasEnded(statement, now, status);
     if (has_ended && IsHold(statement)) {
-      hands.Apply({.control = Control::kRelease, .motions = statement.motions}, now);
+      hands.Apply(statement.release, now);
     }
     if (failure_) {
       hands.Apply({.control = Control::kReleaseAll}, now);
@@ -53,8 +53,8 @@ void ScriptRunner::Begin(const Statement& statement, TimePoint now, const PanelS
   if (statement.kind == Kind::kAction) {
     hands.Apply(statement.action, now);
   } else if (IsHold(statement)) {
-    odometer_.Restart(now, status.feedback);
-    hands.Apply({.control = Control::kPress, .motions = statement.motions}, now);
+    odometer_.Restart(now, status);
+    hands.Apply(statement.press, now);
   }
 }
 

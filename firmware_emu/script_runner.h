@@ -20,7 +20,8 @@ class ScriptRunner {
 
   explicit ScriptRunner(Script script);
 
-  /// Does what is due at `now`. On failure all motions and the enabling switch are let go.
+  /// Does what is due at `now`. On failure all motions, the preset and the enabling switch are let
+  /// go.
   void Tick(TimePoint now, const PanelStatus& status, OperatorHands& hands);
 
   bool is_done() const { return is_done_; }

@@ -42,8 +42,19 @@ inline constexpr std::array<Word, 9> kRobotState{
     "init", "standby", "ready", "operate", "safe_stop", "estop", "fault", "paused", "replay"};
 inline constexpr std::array<Word, 6> kMission{"idle", "brief", "run", "success", "fail", "abort"};
 inline constexpr std::array<Word, 11> kInhibitReason{
-    "none",   "collision", "joint limit", "conflict",       "deadman",  "link loss",
-    "e-stop", "payload",   "tilt",        "neutral needed", "not ready"};
+    "none",  "collision", "joint_limit", "conflict",       "deadman",  "link_loss",
+    "estop", "payload",   "tilt",        "neutral_needed", "not_ready"};
+inline constexpr std::array<Word, 8> kGrasp{"open",          "closing",      "contact_left",
+                                            "contact_right", "contact_both", "grasped",
+                                            "slipping",      "released"};
+inline constexpr std::array<Word, 10> kBomb{"none",     "placed",   "touched", "tilted",
+                                            "grasped",  "carried",  "dropped", "in_can",
+                                            "exploded", "disrupted"};
+inline constexpr std::array<Word, 6> kFireState{"safe",  "armed_wait", "ready",
+                                                "fired", "fault",      "time_out"};
+inline constexpr std::array<Word, 10> kFailure{
+    "none",      "exploded", "time_out",   "rollover",  "out_of_area",
+    "link_lost", "estop",    "instructor", "bomb_lost", "wrong_order"};
 inline constexpr std::array<Word, 12> kPart{"front left wheel",
                                             "front right wheel",
                                             "rear left wheel",

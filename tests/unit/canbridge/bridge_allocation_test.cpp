@@ -24,8 +24,8 @@ std::vector<std::vector<CanFrame>> RecordBox(dbc::BoxCodec& codec) {
     if (ms % 200 == 0) frames[ms].push_back(*codec.Encode(dbc::BoxMessage::kHeartbeat, panel));
     if (ms % 50 == 0) frames[ms].push_back(*codec.Encode(dbc::BoxMessage::kPanel, panel));
     if (ms % 20 != 0) continue;
-    for (const auto role :
-         {dbc::BoxMessage::kSafety, dbc::BoxMessage::kMotion, dbc::BoxMessage::kAxes}) {
+    for (const auto role : {dbc::BoxMessage::kSafety, dbc::BoxMessage::kMotion,
+                            dbc::BoxMessage::kAxes, dbc::BoxMessage::kFire}) {
       frames[ms].push_back(*codec.Encode(role, panel));
     }
   }
@@ -48,7 +48,9 @@ TEST(BridgeAllocation, NoneInFramesTicksStatesAndAlarms) {
     if (ms == 1000) after_warm_up = AllocationCount();
     const TimePoint now{milliseconds(ms)};
     for (const CanFrame& frame : frames[ms]) dut.OnFrame(now, frame);
-    if (ms % 4 == 0) dut.OnRobotState(now, {});
+    RobotReport robot;
+    robot.fire_nonce = static_cast<int>(ms / 700 % 256);
+    if (ms % 4 == 0) dut.OnRobotState(now, robot);
     if (ms % 100 == 0) dut.OnMission(now, {});
     if (ms % 50 == 0) dut.OnAlarms(now, ms % 100 == 0 ? collision : AlarmReport{});
     sent += dut.Tick(now, {}).frames.size();

@@ -166,32 +166,5 @@ TEST(BridgeCommands, PresetPassesOnlyWhileMotionIsPermitted) {
   EXPECT_EQ(rig.commands.back().preset, 0) << "held through the stop: not neutral";
 }
 
-TEST(BridgeCommands, FireControlsReachNoBusAndNoCommand) {
-  // Two runs that differ in the fire controls alone: armed, both buttons, circuit and nonce right.
-  const auto run = [](bool fires) {
-    BridgeRig rig;
-    rig.BringUp();
-    rig.Forget();
-    rig.panel.arm_key = dbc::FireContact::kOn;
-    rig.panel.circuit = 1;
-    for (int i = 0; i < 150; ++i) {
-      if (i == 60 && fires) rig.panel.fire_left = rig.panel.fire_right = dbc::FireContact::kOn;
-      rig.SendFromBox(BoxMessage::kFire);
-      rig.Run(milliseconds(20));
-    }
-    return rig;
-  };
-  const BridgeRig fired = run(true);
-  const BridgeRig idle = run(false);
-  EXPECT_EQ(fired.commands, idle.commands);
-  ASSERT_EQ(fired.sent.size(), idle.sent.size());
-  for (std::size_t i = 0; i < fired.sent.size(); ++i) {
-    EXPECT_TRUE(SameOnWire(fired.sent[i].frame, idle.sent[i].frame));
-    EXPECT_NE(fired.sent[i].frame.id, fired.database.FindMessage("BOX_FIRE")->id);
-  }
-  EXPECT_EQ(fired.shown.fire_state, 0) << "safe";
-  EXPECT_EQ(fired.lamp(dbc::Lamp::kArmed), dbc::LampPattern::kOn);
-}
-
 }  // namespace
 }  // namespace eod::bridge

@@ -123,6 +123,25 @@ TEST(BridgeFeedback, InhibitsOfBridgeAndSimulatorAddUpAndTheGravestReasonIsShown
   EXPECT_EQ(rig.shown.inhibit_reason, InhibitReason::kConflict);
 }
 
+TEST(BridgeFeedback, PayloadAndTiltOfTheSimulatorReachTheBoxAndRankBelowTheEmergencyStop) {
+  for (const InhibitReason reason : {InhibitReason::kPayload, InhibitReason::kTilt}) {
+    BridgeRig rig;
+    rig.BringUp();
+    rig.Hold(9);
+    rig.Hold(10);  // conflict: less grave
+    rig.robot.inhibit_mask = 0b1'0000'0000;
+    rig.robot.inhibit_reason = reason;
+    rig.Run(milliseconds(40));
+    EXPECT_EQ(rig.shown.inhibit_reason, reason);
+    rig.panel.estop_a = false;
+    rig.panel.estop_b = true;
+    rig.Run(milliseconds(40));
+    EXPECT_EQ(rig.shown.inhibit_reason, InhibitReason::kEstop);
+  }
+  EXPECT_EQ(Gravest(InhibitReason::kPayload, InhibitReason::kTilt), InhibitReason::kTilt);
+  EXPECT_EQ(Gravest(InhibitReason::kPayload, InhibitReason::kCollision), InhibitReason::kPayload);
+}
+
 TEST(BridgeFeedback, EveryMessageKeepsItsCycleForTenSecondsAndNoTwoShareAMillisecond) {
   BridgeRig rig;
   rig.BringUp();

@@ -189,6 +189,37 @@ TEST_F(BridgeNodeTest, RobotStateReachesTheBox) {
   EXPECT_EQ(shown.inhibit_reason, dbc::InhibitReason::kCollision);
 }
 
+TEST_F(BridgeNodeTest, FirePanelReachesTheSimulatorAndTheFireStateTheBox) {
+  Run(240);
+  panel.deadman = dbc::Deadman::kEnabled;
+  Run(60);
+  panel.arm_key = dbc::FireContact::kOn;
+  panel.fire_left = dbc::FireContact::kOn;
+  panel.circuit = 3;
+  panel.nonce_echo = 200;
+  SendFromBox(dbc::BoxMessage::kFire);
+  node->OnCan();
+  Deliver();
+  // Contacts as box_command_t has them: 1 safe or released, 2 armed or pressed.
+  EXPECT_EQ(commands.back().arm_key, 2);
+  EXPECT_EQ(commands.back().fire_left, 2);
+  EXPECT_EQ(commands.back().fire_right, 1);
+  EXPECT_EQ(commands.back().circuit, 3);
+  EXPECT_EQ(commands.back().nonce_echo, 200);
+  state.fire_state = 2;
+  state.fire_nonce = 201;
+  state.circuit_continuity = 0b110;
+  Run(8);
+  ReceiveAtBox();
+  EXPECT_EQ(shown.fire_state, 2);
+  EXPECT_EQ(shown.nonce, 201);
+  EXPECT_EQ(shown.circuit_continuity, 0b110U);
+  Run(101);
+  EXPECT_EQ(commands.back().arm_key, 1) << "no fire frame for 109 ms";
+  EXPECT_EQ(commands.back().fire_left, 1);
+  EXPECT_EQ(commands.back().circuit, 0);
+}
+
 TEST_F(BridgeNodeTest, NodeThatIsGoneLeavesNothingBehind) {
   node.reset();
   lcm.publish("LAB1_EOD_ROBOT_STATE", &state);

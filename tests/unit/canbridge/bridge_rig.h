@@ -114,6 +114,7 @@ class BridgeRig {
   bool box_runs = true;
   bool simulator_runs = true;
   bool panel_frames = false;  ///< BOX_PANEL every 50 ms
+  bool fire_frames = false;   ///< BOX_FIRE every 20 ms
 
   std::vector<Sent> sent;
   std::vector<BoxCommand> commands;
@@ -131,6 +132,7 @@ class BridgeRig {
       if (is_due(20)) SendFromBox(dbc::BoxMessage::kSafety);
       if (is_due(20)) SendFromBox(dbc::BoxMessage::kMotion);
       if (is_due(20)) SendFromBox(dbc::BoxMessage::kAxes);
+      if (fire_frames && is_due(20)) SendFromBox(dbc::BoxMessage::kFire);
       if (panel_frames && is_due(50)) SendFromBox(dbc::BoxMessage::kPanel);
     }
     Note(dut->Tick(now, bus), true);

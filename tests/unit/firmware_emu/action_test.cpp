@@ -99,13 +99,15 @@ TEST(Hands, LetGoOfATapAfterItsTime) {
   EXPECT_EQ(dut.inputs().controls.menu_command, dbc::MenuCommand::kNone);
 }
 
-TEST(Hands, ReleaseAllFreesButtonsAndCentresSticksAndNothingElse) {
+TEST(Hands, ReleaseAllFreesButtonsCentresSticksDropsThePresetAndNothingElse) {
   OperatorHands dut;
-  for (const auto* line : {"press M01 M05", "stick drive_y 50%", "key operate", "release all"}) {
+  for (const auto* line :
+       {"press M01 M05", "stick drive_y 50%", "preset carry", "key operate", "release all"}) {
     dut.Apply(ParseAction(line), At(seconds(0)));
   }
   EXPECT_EQ(dut.inputs().controls.motion, (std::array<bool, dbc::kMotionCount>{}));
   EXPECT_EQ(dut.inputs().controls.axis[0].value, 0);
+  EXPECT_EQ(dut.inputs().controls.preset, 0);
   EXPECT_EQ(dut.inputs().controls.key, dbc::KeySwitch::kOperate);
 }
 
@@ -125,6 +127,18 @@ TEST(Hands, AKeyDoesNotShortenAButtonThatIsHeld) {
   dut.HoldMotionUntil(1, At(milliseconds(300)));
   dut.Tick(At(seconds(1)));
   EXPECT_TRUE(dut.inputs().controls.motion[0]);
+}
+
+TEST(Hands, AKeyDoesNotShortenAPresetOrAFireButtonThatIsHeld) {
+  OperatorHands dut;
+  for (const auto* line : {"preset carry", "fire_left pressed"}) {
+    dut.Apply(ParseAction(line), At(seconds(0)));
+  }
+  dut.HoldPresetUntil(4, At(milliseconds(300)));
+  dut.HoldFireUntil(Control::kFireLeft, At(seconds(1)));
+  dut.Tick(At(seconds(2)));
+  EXPECT_EQ(dut.inputs().controls.preset, 4);
+  EXPECT_EQ(dut.inputs().controls.fire_left, dbc::FireContact::kOn);
 }
 
 }  // namespace

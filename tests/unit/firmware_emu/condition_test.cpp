@@ -101,16 +101,51 @@ TEST_F(ConditionOn, HeadingsCompareTheShortWayRound) {
 }
 
 TEST_F(ConditionOn, TravelAndTurnCountFromTheRestart) {
-  dbc::RobotFeedback robot;
+  dbc::RobotFeedback& robot = status_.feedback;
   robot.heading_deg = 350;
-  odometer_.Restart(At(seconds(10)), robot);
-  robot.speed_mps = -0.5;
+  status_.pose_time = At(seconds(10));
+  odometer_.Restart(At(seconds(10)), status_);
+  robot.speed_mps = -1;
   robot.heading_deg = 20;
-  odometer_.Update(At(seconds(12)), robot);
-  EXPECT_NEAR(odometer_.travel_m(), -1.0, 1e-12);
+  status_.pose_time = At(seconds(12));
+  odometer_.Update(At(seconds(12)), status_);
+  EXPECT_NEAR(odometer_.travel_m(), -1.0, 1e-12) << "from rest to -1 m/s in 2 s";
   EXPECT_NEAR(odometer_.turned_deg(), 30, 1e-12);
   EXPECT_TRUE(Is("travel <= -1"));
   EXPECT_TRUE(Is("turned > 29"));
+}
+
+TEST_F(ConditionOn, GraspBombFireReasonAndFailureByTheirWords) {
+  const auto check = [this](std::string_view subject, const std::vector<std::string>& words,
+                            auto set) {
+    for (int i = 0; i < static_cast<int>(words.size()); ++i) {
+      set(i);
+      for (const std::string& word : words) {
+        EXPECT_EQ(Is(std::string(subject) + " " + word), word == words[i]) << word;
+      }
+    }
+  };
+  check("grasp",
+        {"open", "closing", "contact_left", "contact_right", "contact_both", "grasped", "slipping",
+         "released"},
+        [this](int i) { status_.feedback.grasp_state = i; });
+  check("bomb",
+        {"none", "placed", "touched", "tilted", "grasped", "carried", "dropped", "in_can",
+         "exploded", "disrupted"},
+        [this](int i) { status_.feedback.bomb_state = i; });
+  check("fire", {"safe", "armed_wait", "ready", "fired", "fault", "time_out"},
+        [this](int i) { status_.feedback.fire_state = i; });
+  check("reason",
+        {"none", "collision", "joint_limit", "conflict", "deadman", "link_loss", "estop", "payload",
+         "tilt", "neutral_needed", "not_ready"},
+        [this](int i) { status_.feedback.inhibit_reason = static_cast<dbc::InhibitReason>(i); });
+  check("failure",
+        {"none", "exploded", "time_out", "rollover", "out_of_area", "link_lost", "estop",
+         "instructor", "bomb_lost", "wrong_order"},
+        [this](int i) { status_.feedback.fail_reason = i; });
+  EXPECT_TRUE(Is("not grasp slipping"));
+  EXPECT_EQ(Seen("grasp grasped"), "grasp is released");
+  EXPECT_EQ(Seen("reason none"), "reason is not_ready");
 }
 
 TEST_F(ConditionOn, ObservationsSayWhatIsThereInstead) {
@@ -131,6 +166,7 @@ TEST(ConditionText, ErrorsNameTheWordAndWhatIsAllowed) {
   EXPECT_EQ(ErrorOf("speed > fast"), "'fast': allowed: a number");
   EXPECT_EQ(ErrorOf("joint 10 > 0"), "'10': allowed: a whole number 1..9");
   EXPECT_EQ(ErrorOf("alarm red"), "'red': allowed: a whole number 1..255");
+  EXPECT_EQ(ErrorOf("fire hot"), "'hot': allowed: safe, armed_wait, ready, fired, fault, time_out");
   EXPECT_EQ(ErrorOf("link"), "'end of line': allowed: down, up");
 }
 

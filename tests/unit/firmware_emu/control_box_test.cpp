@@ -239,6 +239,20 @@ TEST(Fault, StickWithoutAValueIsTold) {
   EXPECT_EQ(rig.dut.status().fault, BoxFault::kAxis);
 }
 
+TEST(Display, PoseTimeIsThatOfTheLastPoseFrameAlone) {
+  BoxRig rig = OperatingBox();
+  rig.robot_talks = false;
+  rig.dut.OnFrame(*rig.robot_codec.Encode(dbc::RobotMessage::kPose, rig.robot), rig.now);
+  const TimePoint pose = rig.now;
+  rig.Run(milliseconds(20));
+  rig.dut.OnFrame(*rig.robot_codec.Encode(dbc::RobotMessage::kStatus, rig.robot), rig.now);
+  EXPECT_EQ(rig.dut.status().pose_time, pose);
+  CanFrame wrong = *rig.robot_codec.Encode(dbc::RobotMessage::kPose, rig.robot);
+  wrong.data[0] ^= 1;
+  rig.dut.OnFrame(wrong, rig.now);
+  EXPECT_EQ(rig.dut.status().pose_time, pose) << "a frame that is dropped shows nothing";
+}
+
 TEST(Fire, NonceOfTheRobotIsEchoed) {
   BoxRig rig = OperatingBox();
   rig.robot.nonce = 0xA5;

@@ -1,10 +1,8 @@
-// Terminal bytes to keys, keys to controls, status to screen.
+// Terminal bytes to keys, keys to controls.
 #include "firmware_emu/keyboard.h"
 
 #include <gtest/gtest.h>
 
-#include "firmware_emu/panel_journal.h"
-#include "firmware_emu/panel_screen.h"
 #include "tests/unit/firmware_emu/box_rig.h"
 
 namespace eod::box {
@@ -127,6 +125,91 @@ TEST(Keyboard, ControlKeysMoveTheirControls) {
   EXPECT_FALSE(controls.lamp_test);
 }
 
+TEST(Keyboard, EightGoesRoundTheFiveModulesAndTheMenuKeysPressTheirKey) {
+  OperatorHands hands;
+  const auto press = [&hands](char c) { PressKey(Character(c), At(seconds(0)), hands); };
+  for (const auto module : {dbc::Module::kFlat, dbc::Module::kSlope, dbc::Module::kBomb,
+                            dbc::Module::kOutdoor, dbc::Module::kIndoor, dbc::Module::kFlat}) {
+    press('8');
+    EXPECT_EQ(hands.inputs().controls.menu_module, module);
+  }
+  const std::vector<std::pair<char, dbc::MenuCommand>> keys{{'9', dbc::MenuCommand::kStart},
+                                                            {'6', dbc::MenuCommand::kPause},
+                                                            {'7', dbc::MenuCommand::kResume},
+                                                            {'0', dbc::MenuCommand::kReset},
+                                                            {'E', dbc::MenuCommand::kEnd}};
+  for (const auto& [key, command] : keys) {
+    press(key);
+    EXPECT_EQ(hands.inputs().controls.menu_command, command) << key;
+  }
+}
+
+TEST(Keyboard, CapitalsRequestThePresetsWhileTheyRepeat) {
+  const std::string keys = "STGCDUJ";  // stow 1 to stair down 7
+  for (int preset = 1; preset <= 7; ++preset) {
+    OperatorHands hands;
+    const Key key = Character(keys[preset - 1]);
+    PressKey(key, At(seconds(0)), hands);
+    PressKey(key, At(milliseconds(250)), hands);
+    hands.Tick(At(milliseconds(549)));
+    EXPECT_EQ(hands.inputs().controls.preset, preset);
+    hands.Tick(At(milliseconds(550)));
+    EXPECT_EQ(hands.inputs().controls.preset, 0) << "let go 0.3 s after the last repeat";
+  }
+}
+
+TEST(Keyboard, AnotherPresetKeyTakesOverAtOnce) {
+  OperatorHands hands;
+  PressKey(Character('S'), At(seconds(0)), hands);
+  PressKey(Character('C'), At(milliseconds(100)), hands);
+  EXPECT_EQ(hands.inputs().controls.preset, 4);
+  hands.Tick(At(milliseconds(399)));
+  EXPECT_EQ(hands.inputs().controls.preset, 4);
+  hands.Tick(At(milliseconds(400)));
+  EXPECT_EQ(hands.inputs().controls.preset, 0);
+}
+
+TEST(Keyboard, FirePanelCanBeArmedAndFiredWithTwoKeys) {
+  OperatorHands hands;
+  const dbc::PanelState& controls = hands.inputs().controls;
+  PressKey(Character('A'), At(seconds(0)), hands);
+  EXPECT_EQ(controls.arm_key, dbc::FireContact::kOn);
+  for (const int circuit : {1, 2, 3, 0, 1}) {
+    PressKey(Character('N'), At(seconds(0)), hands);
+    EXPECT_EQ(controls.circuit, circuit);
+  }
+  // Fire rule 7 wants both buttons pressed within 500 ms of each other and then held for 300 ms.
+  PressKey(Character('L'), At(milliseconds(1000)), hands);
+  PressKey(Character('R'), At(milliseconds(1400)), hands);
+  hands.Tick(At(milliseconds(1999)));
+  EXPECT_EQ(controls.fire_left, dbc::FireContact::kOn);
+  EXPECT_EQ(controls.fire_right, dbc::FireContact::kOn);
+  hands.Tick(At(milliseconds(2000)));
+  EXPECT_EQ(controls.fire_left, dbc::FireContact::kOff);
+  hands.Tick(At(milliseconds(2400)));
+  EXPECT_EQ(controls.fire_right, dbc::FireContact::kOff);
+  PressKey(Character('A'), At(seconds(3)), hands);
+  EXPECT_EQ(controls.arm_key, dbc::FireContact::kOff);
+}
+
+TEST(Keyboard, LightJointRateAndAlarmResetHaveKeys) {
+  OperatorHands hands;
+  const auto press = [&hands](char c) { PressKey(Character(c), At(seconds(0)), hands); };
+  const dbc::PanelState& controls = hands.inputs().controls;
+  for (const int light : {1, 2, 3, 0}) {
+    press('l');
+    EXPECT_EQ(controls.light, light);
+  }
+  press('5');
+  EXPECT_DOUBLE_EQ(controls.joint_rate, 1.0) << "no more than all";
+  for (int i = 0; i < 12; ++i) press('4');
+  EXPECT_DOUBLE_EQ(controls.joint_rate, 0.1) << "never none: a dead key would puzzle";
+  press('5');
+  EXPECT_DOUBLE_EQ(controls.joint_rate, 0.2);
+  press('B');
+  EXPECT_TRUE(controls.alarm_reset);
+}
+
 TEST(Keyboard, CapitalQQuitsAndUnknownKeysDoNothing) {
   OperatorHands hands;
   const PanelInputs before = hands.inputs();
@@ -134,62 +217,6 @@ TEST(Keyboard, CapitalQQuitsAndUnknownKeysDoNothing) {
   EXPECT_EQ(PressKey(Character('#'), At(seconds(0)), hands), KeyOutcome::kUnused);
   EXPECT_EQ(PressKey({.kind = Kind::kEscape}, At(seconds(0)), hands), KeyOutcome::kUnused);
   EXPECT_EQ(hands.inputs(), before);
-}
-
-// Visible width of each line: escape sequences take no room.
-std::vector<size_t> LineWidths(const std::string& screen) {
-  std::vector<size_t> widths(1, 0);
-  for (size_t i = 0; i < screen.size(); ++i) {
-    if (screen[i] == '\x1b') {
-      while (i + 1 < screen.size() && std::isalpha(screen[i]) == 0) ++i;
-    } else if (screen[i] == '\n') {
-      widths.push_back(0);
-    } else if (screen[i] != '\r') {
-      ++widths.back();
-    }
-  }
-  return widths;
-}
-
-TEST(Screen, FitsInto80By24WithEverythingShown) {
-  PanelStatus status;
-  status.feedback.inhibit_mask = 0x3FFFFF;
-  status.feedback.hit_parts = 0xFFF;
-  status.feedback.joint.fill(-179.99);
-  status.feedback.inhibit_reason = dbc::InhibitReason::kNeutralNeeded;
-  status.reported.motion.fill(true);
-  status.lit.fill(true);
-  status.rx = 4000000000u;
-  const std::vector<size_t> widths = LineWidths(DrawPanel(status, {}));
-  EXPECT_LE(widths.size(), static_cast<size_t>(kScreenHeight));
-  EXPECT_GE(widths.size(), 20u);
-  for (const size_t width : widths) EXPECT_LE(width, static_cast<size_t>(kScreenWidth));
-}
-
-TEST(Screen, ShowsLitLampsInColourAndInhibitedMotions) {
-  PanelStatus status;
-  status.feedback.inhibit_mask = 1;
-  status.feedback.inhibit_reason = dbc::InhibitReason::kCollision;
-  const std::string dark = DrawPanel(status, {});
-  EXPECT_NE(dark.find("Inhibited M01 (collision)"), std::string::npos);
-  EXPECT_EQ(dark.find("\x1b[97;41m"), std::string::npos);
-  EXPECT_EQ(DrawPanel(PanelStatus{}, {}).find("Inhibited none ("), std::string::npos);
-  status.lit[static_cast<size_t>(dbc::Lamp::kCollision)] = true;
-  EXPECT_NE(DrawPanel(status, {}).find("\x1b[97;41mcollision \x1b[0m"), std::string::npos);
-}
-
-TEST(Journal, TellsEachChangeOnce) {
-  PanelJournal dut;
-  PanelStatus status;
-  EXPECT_TRUE(dut.Observe(status).empty());
-  status.lamp[static_cast<size_t>(dbc::Lamp::kCollision)] = dbc::LampPattern::kFastBlink;
-  status.feedback.inhibit_mask = 1;
-  status.feedback.inhibit_reason = dbc::InhibitReason::kCollision;
-  status.feedback.hit_parts = 3;
-  EXPECT_EQ(dut.Observe(status),
-            (std::vector<std::string>{"lamp collision fast", "inhibited M01 (collision)",
-                                      "contact front left wheel, front right wheel"}));
-  EXPECT_TRUE(dut.Observe(status).empty());
 }
 
 }  // namespace

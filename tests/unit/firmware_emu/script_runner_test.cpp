@@ -18,6 +18,7 @@ class Runner : public testing::Test {
   void Run(int ms) {
     for (int i = 0; i <= ms; ++i) {
       if (i > 0) now_ += milliseconds(1);
+      if (now_.time_since_epoch() % milliseconds(50) == Duration::zero()) status_.pose_time = now_;
       dut_->Tick(now_, status_, hands_);
       hands_.Tick(now_);
     }
@@ -95,6 +96,36 @@ TEST_F(Runner, HoldUntilCountsTravelFromItsOwnBegin) {
   EXPECT_FALSE(dut_->is_done());
   Run(4);
   EXPECT_TRUE(dut_->is_done());
+}
+
+TEST_F(Runner, HoldPresetRequestsItAndLetsItGo) {
+  Play("hold preset carry for 100ms\nkey operate");
+  EXPECT_EQ(hands_.inputs().controls.preset, 4);
+  Run(99);
+  EXPECT_EQ(hands_.inputs().controls.preset, 4);
+  Run(1);
+  EXPECT_EQ(hands_.inputs().controls.preset, 0);
+  EXPECT_TRUE(dut_->is_done());
+}
+
+TEST_F(Runner, HoldPresetUntilEndsWithItsConditionAndTwoInARowKeepTheRequest) {
+  Play("hold preset stow until joint 3 >= 100 within 5s\nhold preset stow for 50ms");
+  Run(1000);
+  EXPECT_EQ(hands_.inputs().controls.preset, 1);
+  status_.feedback.joint[2] = 100;
+  Run(1);
+  EXPECT_EQ(hands_.inputs().controls.preset, 1) << "the second line";
+  Run(50);
+  EXPECT_EQ(hands_.inputs().controls.preset, 0);
+}
+
+TEST_F(Runner, FailureLetsGoOfThePreset) {
+  Play("hold preset carry until grasp grasped within 1s");
+  Run(1000);
+  EXPECT_EQ(dut_->failure(),
+            "a.boxscript:1: hold preset carry until grasp grasped within 1s: time is up: grasp is "
+            "open");
+  EXPECT_EQ(hands_.inputs().controls.preset, 0);
 }
 
 TEST_F(Runner, WaitUntilGoesOnWhenTheConditionComes) {

@@ -47,7 +47,8 @@ TEST(Script, ReadsEveryStatement) {
   EXPECT_EQ(s[2].kind, Kind::kWaitUntil);
   EXPECT_EQ(s[2].duration, milliseconds(200));
   EXPECT_EQ(s[3].kind, Kind::kHoldFor);
-  EXPECT_EQ(s[3].motions, 0b10001u);
+  EXPECT_EQ(s[3].press.motions, 0b10001u);
+  EXPECT_EQ(s[3].release.motions, 0b10001u);
   EXPECT_EQ(s[4].kind, Kind::kHoldUntil);
   EXPECT_EQ(s[4].duration, seconds(10));
   EXPECT_EQ(s[5].kind, Kind::kExpect);
@@ -55,6 +56,30 @@ TEST(Script, ReadsEveryStatement) {
   EXPECT_EQ(s[6].message, "look # here");
   EXPECT_EQ(s[7].kind, Kind::kFail);
   EXPECT_EQ(s[7].line, 10);
+}
+
+TEST(Script, ReadsAPresetThatIsHeld) {
+  const Script script = ParseScript(
+      "hold preset carry for 5s\n"
+      "hold preset stair_down until joint 3 >= 70 within 8s",
+      "a.boxscript");
+  ASSERT_EQ(script.statements.size(), 2u);
+  const std::vector<Statement>& s = script.statements;
+  EXPECT_EQ(s[0].kind, Kind::kHoldFor);
+  EXPECT_EQ(s[0].press.control, Control::kPreset);
+  EXPECT_EQ(s[0].press.choice, 4);
+  EXPECT_EQ(s[0].release.control, Control::kPreset);
+  EXPECT_EQ(s[0].release.choice, 0);
+  EXPECT_EQ(s[1].kind, Kind::kHoldUntil);
+  EXPECT_EQ(s[1].press.choice, 7);
+  EXPECT_EQ(s[1].duration, seconds(8));
+}
+
+TEST(Script, APresetThatIsHeldIsNotNone) {
+  EXPECT_EQ(ErrorOf("hold preset none for 1s"),
+            "a.boxscript:1: 'none': allowed: stow, travel, ground_pick, carry, can_drop, stair_up, "
+            "stair_down");
+  EXPECT_EQ(ErrorOf("hold preset carry"), "a.boxscript:1: 'end of line': allowed: for, until");
 }
 
 TEST(Script, ErrorsNameFileLineWordAndWhatIsAllowed) {

@@ -85,6 +85,18 @@ TEST_F(KeyboardBox, DrawsThePanelAndFollowsKeys) {
   EXPECT_TRUE(Shows("E-stop PRESSED"));
 }
 
+TEST_F(KeyboardBox, ChoosesTheBombModuleRequestsAPresetAndArms) {
+  ASSERT_TRUE(Shows("EOD CONTROL BOX"));
+  Type("888");
+  EXPECT_TRUE(Shows("Module bomb"));
+  Type("C");
+  EXPECT_TRUE(Shows("Preset carry"));
+  Type("AN");
+  EXPECT_TRUE(Shows("Arm key armed   Circuit 1"));
+  Type("LR");
+  EXPECT_TRUE(Shows("Fire left pressed   right pressed"));
+}
+
 TEST_F(KeyboardBox, QuitKeyRestoresTheTerminalAndEndsWell) {
   ASSERT_TRUE(Shows("EOD CONTROL BOX"));
   Type("Q");
