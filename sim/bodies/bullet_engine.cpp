@@ -8,13 +8,9 @@ using Eigen::AlignedBox3d;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-constexpr double kGravity = 9.81;       // [m/s^2]
-constexpr int kSolverIterations = 30;   // cylinders stand without creeping
-constexpr double kTouch = 0.5e-3;       // [m] nearer than this is contact
-constexpr double kNear = 0.02;          // [m] more than a link moves in three steps at 0.67 m/s
-constexpr double kNeighbour = 0.01;     // [m] what is nearer may lean on it
-constexpr int kManifolds = 512;         // kept ready
-constexpr int kAlgorithms = 1024;
+constexpr double kTouch = 0.5e-3;    // [m] nearer than this is contact
+constexpr double kNear = 0.02;       // [m] more than a link moves in three steps at 0.67 m/s
+constexpr double kNeighbour = 0.01;  // [m] what is nearer may lean on it
 
 // User indices of Bullet's bodies: movables have their number.
 constexpr int kGroundIndex = -1;
@@ -39,58 +35,47 @@ void MeetUnlessHeld(btBroadphasePair& pair, btCollisionDispatcher& dispatcher,
   btCollisionDispatcher::defaultNearCallback(pair, dispatcher, info);
 }
 
-btDefaultCollisionConstructionInfo Pools() {
-  btDefaultCollisionConstructionInfo info;
-  info.m_defaultMaxPersistentManifoldPoolSize = kManifolds;
-  info.m_defaultMaxCollisionAlgorithmPoolSize = kAlgorithms;
-  return info;
-}
-
 }  // namespace
-
-RigidBodies::Engine::Space::Space()
-    : configuration(Pools()),
-      dispatcher(&configuration),
-      world(&dispatcher, &broadphase, &solver, &configuration) {
-  dispatcher.setNearCallback(MeetUnlessHeld);
-  world.setGravity(btVector3(0, 0, -kGravity));
-  world.setForceUpdateAllAabbs(false);
-  btContactSolverInfo& info = world.getSolverInfo();
-  info.m_numIterations = kSolverIterations;
-  // Depth is worked off by poses alone: worked off by velocities, things would hop.
-  info.m_splitImpulse = true;
-  info.m_splitImpulsePenetrationThreshold = 0;
-}
 
 RigidBodies::Engine::Engine(const ModuleModel& module, const RobotModel& robot)
     : objects_(module.movables), ground_mesh_(module.triangles), links_(robot) {
   for (MovableObject& object : objects_) object.visuals.clear();
+  space_.dispatcher.setNearCallback(MeetUnlessHeld);
+  bodies_.reserve(objects_.size());
   Reset();
 }
 
+RigidBodies::Engine::~Engine() { TakeAllOut(); }
+
+void RigidBodies::Engine::TakeAllOut() {
+  btCollisionObjectArray& inside = space_.world.getCollisionObjectArray();
+  while (inside.size() > 0) space_.world.removeCollisionObject(inside[inside.size() - 1]);
+}
+
 void RigidBodies::Engine::Reset() {
-  // Built anew, so that nothing of the past is left: a second run is the first to the last bit.
-  space_.reset();
+  // New bodies in an empty space, so that nothing of the past is left: a second run is the first to
+  // the last bit.
+  TakeAllOut();
+  space_.Reset();
   bodies_.clear();
   links_.Rebuild();
-  space_ = std::make_unique<Space>();
   if (ground_mesh_.shape() != nullptr) {
     btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, ground_mesh_.shape());
     info.m_friction = 1;
     ground_ = std::make_unique<btRigidBody>(info);
     ground_->setUserIndex(kGroundIndex);
-    space_->world.addRigidBody(ground_.get(), kGroundGroup, kMovableGroup);
+    space_.world.addRigidBody(ground_.get(), kGroundGroup, kMovableGroup);
   }
   for (size_t i = 0; i < links_.solids().size(); ++i) {
     btRigidBody* const body = links_.solids()[i].body.get();
     body->setUserIndex(IndexOfSolid(i));
-    space_->world.addRigidBody(body, kLinkGroup, kMovableGroup);
+    space_.world.addRigidBody(body, kLinkGroup, kMovableGroup);
   }
   for (const MovableObject& object : objects_) {
     MovableBody& added = bodies_.emplace_back(object);
     added.body().setUserIndex(static_cast<int>(bodies_.size()) - 1);
-    space_->world.addRigidBody(&added.body(), kMovableGroup,
-                               kGroundGroup | kLinkGroup | kMovableGroup);
+    space_.world.addRigidBody(&added.body(), kMovableGroup,
+                              kGroundGroup | kLinkGroup | kMovableGroup);
   }
   states_.assign(bodies_.size(), {});
   grips_.assign(bodies_.size(), {});
@@ -108,7 +93,7 @@ void RigidBodies::Engine::Step(double dt_s, std::span<const Isometry3d> X_ML) {
   if (IsBusy(X_ML)) {
     links_.Follow(X_ML);
     FollowGrips();
-    space_->world.stepSimulation(dt_s, 0);
+    space_.world.stepSimulation(dt_s, 0);
     ReadStates();
     ReadContacts();
   }
@@ -165,8 +150,8 @@ void RigidBodies::Engine::ReadContacts() {
     state.touched_by = 0;
     state.touches_ground = false;
   }
-  for (int i = 0; i < space_->dispatcher.getNumManifolds(); ++i) {
-    const btPersistentManifold& manifold = *space_->dispatcher.getManifoldByIndexInternal(i);
+  for (int i = 0; i < space_.dispatcher.getNumManifolds(); ++i) {
+    const btPersistentManifold& manifold = *space_.dispatcher.getManifoldByIndexInternal(i);
     for (int point = 0; point < manifold.getNumContacts(); ++point) {
       if (manifold.getContactPoint(point).getDistance() > kTouch) continue;
       ReadContact(manifold);
@@ -213,8 +198,8 @@ void RigidBodies::Engine::Hold(int body) {
   WakeAround(index);
   bodies_[index].Hold();
   // Contacts of the past would go on pushing.
-  space_->broadphase.getOverlappingPairCache()->cleanProxyFromPairs(
-      bodies_[index].body().getBroadphaseHandle(), &space_->dispatcher);
+  space_.broadphase.getOverlappingPairCache()->cleanProxyFromPairs(
+      bodies_[index].body().getBroadphaseHandle(), &space_.dispatcher);
   const Isometry3d X_MO = states_[index].X_MO;
   states_[index] = {};
   states_[index].X_MO = X_MO;
@@ -239,8 +224,8 @@ void RigidBodies::Engine::Release(int body) {
   if (!states_[index].is_held) return;
   const Grip& grip = grips_[index];
   bodies_[index].Release(grip.X_before, grip.X_now, dt_s_);
-  space_->broadphase.getOverlappingPairCache()->cleanProxyFromPairs(
-      bodies_[index].body().getBroadphaseHandle(), &space_->dispatcher);
+  space_.broadphase.getOverlappingPairCache()->cleanProxyFromPairs(
+      bodies_[index].body().getBroadphaseHandle(), &space_.dispatcher);
   states_[index].is_held = false;
   is_awake_ = true;
   ReadState(index);
@@ -250,7 +235,7 @@ void RigidBodies::Engine::Remove(int body) {
   const auto index = static_cast<size_t>(body);
   if (states_[index].is_gone) return;
   if (IsFree(index)) WakeAround(index);
-  space_->world.removeRigidBody(&bodies_[index].body());
+  space_.world.removeRigidBody(&bodies_[index].body());
   const Isometry3d X_MO = states_[index].X_MO;
   states_[index] = {};
   states_[index].X_MO = X_MO;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/bodies/bullet_space.h"
 #include "sim/bodies/ground_mesh.h"
 #include "sim/bodies/link_bodies.h"
 #include "sim/bodies/movable_body.h"
@@ -15,6 +16,9 @@ namespace eod::sim {
 class RigidBodies::Engine {
  public:
   Engine(const ModuleModel& module, const RobotModel& robot);
+  ~Engine();
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
 
   void Reset();
   void Step(double dt_s, std::span<const Eigen::Isometry3d> X_ML);
@@ -27,21 +31,13 @@ class RigidBodies::Engine {
   void Push(int body, const Eigen::Vector3d& impulse_M, const Eigen::Vector3d& p_M);
 
  private:
-  /// Bullet's own objects; they have to go before the bodies that they know.
-  struct Space {
-    Space();
-    btDefaultCollisionConfiguration configuration;
-    btCollisionDispatcher dispatcher;
-    btDbvtBroadphase broadphase;
-    btSequentialImpulseConstraintSolver solver;
-    btDiscreteDynamicsWorld world;
-  };
   /// How a held body came to where it is.
   struct Grip {
     Eigen::Isometry3d X_before, X_now;  ///< of the last two MoveHelds
     Eigen::Isometry3d X_in_step;        ///< where the last step left it
   };
 
+  void TakeAllOut();
   bool IsFree(size_t body) const { return !states_[body].is_held && !states_[body].is_gone; }
   bool IsGripMoving(size_t body) const;
   /// Whether anything moves, or may be moved by the robot.
@@ -55,12 +51,12 @@ class RigidBodies::Engine {
   void WakeAround(size_t body);
   void Wake(size_t body);
 
+  BulletSpace space_;
   std::vector<MovableObject> objects_;
   GroundMesh ground_mesh_;
   LinkBodies links_;
   std::unique_ptr<btRigidBody> ground_;
   std::vector<MovableBody> bodies_;
-  std::unique_ptr<Space> space_;
   std::vector<BodyState> states_;
   std::vector<Grip> grips_;
   std::vector<Eigen::AlignedBox3d> boxes_;  ///< round each body; empty if it is gone or held
