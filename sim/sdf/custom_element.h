@@ -24,6 +24,11 @@ namespace eod::sim {
 ///   collision  <eod:proxy kind="clamp|bump|both"/>: stood on, run into, or both (default)
 ///   world      <eod:module id name frame size_x_m size_y_m start_heading_deg/>: a training area;
 ///              its models are posed relative_to its frame, whose origin is the start pad
+///   model      <eod:movable friction="0.6" rolling_m="0.0005"/>: it is not static; Coulomb friction
+///              and lever of rolling resistance; <eod:explosive/>: it is a charge;
+///              <eod:vessel kind="drum" inner_radius_m net_m rim_m/>,
+///              <eod:vessel kind="chamber" inner_x_m inner_y_m net_m rim_m/>: a static model that
+///              a charge is disposed of in; heights above the model's origin
 ///   model      <eod:chassis creep_mps low_mps high_mps turn_deg_per_s accel_mps2
 ///              turn_accel_deg_per_s2 step_up_m fall_search_m/>; <eod:payload folded_kg
 ///              stretched_kg/>: what the arm can carry; <eod:preset index name J1_deg .. J7_m ..

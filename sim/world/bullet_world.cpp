@@ -9,11 +9,8 @@
 #include <btBulletCollisionCommon.h>
 
 #include "sim/segments/hit_choice.h"
+#include "sim/world/bullet_shapes.h"
 #include "sim/world/object_name.h"
-
-#ifndef BT_USE_DOUBLE_PRECISION
-#error "Bullet's float libraries have the same symbols; link bullet_double"
-#endif
 
 namespace eod::sim {
 
@@ -21,52 +18,13 @@ using Eigen::Vector3d;
 
 namespace {
 
-btVector3 ToBullet(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-Vector3d FromBullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
-
-btTransform ToBullet(const Eigen::Isometry3d& X_MO) {
-  const Eigen::Matrix3d R = X_MO.linear();
-  const btMatrix3x3 rotation(R(0, 0), R(0, 1), R(0, 2), R(1, 0), R(1, 1), R(1, 2), R(2, 0), R(2, 1),
-                             R(2, 2));
-  return btTransform(rotation, ToBullet(Vector3d(X_MO.translation())));
-}
-
-using ShapePointer = std::unique_ptr<btCollisionShape>;
-
-struct BulletShapeOf {
-  double margin;
-
-  ShapePointer operator()(const BoxSolid& box) const {
-    return std::make_unique<btBoxShape>(ToBullet(box.half));
-  }
-  ShapePointer operator()(const CylinderSolid& cylinder) const {
-    auto shape = std::make_unique<btCylinderShapeZ>(
-        btVector3(cylinder.radius, cylinder.radius, cylinder.half_length));
-    shape->setMargin(margin);
-    return shape;
-  }
-  ShapePointer operator()(const SphereSolid& sphere) const {
-    return std::make_unique<btSphereShape>(sphere.radius);
-  }
-  ShapePointer operator()(const CapsuleSolid& capsule) const {
-    return std::make_unique<btCapsuleShapeZ>(capsule.radius, 2 * capsule.half_length);
-  }
-  ShapePointer operator()(const HullSolid& hull) const {
-    auto shape = std::make_unique<btConvexHullShape>();
-    for (const Vector3d& corner : hull.corners) shape->addPoint(ToBullet(corner), false);
-    shape->recalcLocalAabb();
-    shape->setMargin(margin);
-    return shape;
-  }
-};
-
 /// What Bullet holds: the triangles of one object and class, or one shape.
 struct Part {
   int object;
   uint32_t class_mask;
   std::vector<int> triangles;  // numbers in the module; none for a shape
   std::unique_ptr<btTriangleMesh> mesh;
-  ShapePointer shape;
+  BulletShapePointer shape;
   std::unique_ptr<btCollisionObject> body;
 };
 
@@ -175,7 +133,7 @@ int BulletWorld::AddShape(std::string name, uint32_t class_mask, const Eigen::Is
                           const Shape& shape) {
   const int object = static_cast<int>(impl_->names.size());
   impl_->names.push_back(std::move(name));
-  ShapePointer bullet_shape = std::visit(BulletShapeOf{impl_->options.margin}, shape.solid());
+  BulletShapePointer bullet_shape = std::visit(BulletShapeOf{impl_->options.margin}, shape.solid());
   impl_->Add({object, class_mask, {}, nullptr, std::move(bullet_shape), nullptr}, X_MO);
   return object;
 }
