@@ -28,6 +28,9 @@ bool IsSame(TaskStatus a, const TaskStatus& b) {
   return a == b;
 }
 
+constexpr MotionSet kDriveMotions =
+    SetOf(kDriveForward) | SetOf(kDriveReverse) | SetOf(kTurnLeft) | SetOf(kTurnRight);
+
 double SignedRate(const RobotModel& robot, const MotionDemand& demand, int positive, int negative) {
   return demand.rate[positive] * RatedSpeed(robot, positive, demand.speed_range) -
          demand.rate[negative] * RatedSpeed(robot, negative, demand.speed_range);
@@ -42,6 +45,7 @@ Simulator::Place::Place(const RobotModel& robot, const WorldModel& all, const Mo
       isectors(robot, model.class_bit, config.coverage, config.rules),
       support(robot, model.class_bit, Coverage::kPaper,
               {.module_masks = config.rules.module_masks}),
+      stance(robot, config.rules.module_masks ? model.class_bit : kAnyModule),
       task(ScenarioIn(model, scenario), model) {}
 
 Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Scenario& scenario,
@@ -84,14 +88,17 @@ const StepResult& Simulator::Step(TimePoint now, const OperatorCommand& command)
   ObeyMenu(command);
   const Wish wish = paused_ ? Wish{} : WishOf(command, now, config_.command_timeout);
   const MotionSet limited = LimitedMotions(robot_, result_.state) & wish.demand.commanded;
+  const MotionSet tilting = TiltingMotions() & wish.demand.commanded;
   const uint32_t contacts_before = result_.contact_parts;
 
   Cast(wish.demand.commanded);
   Respond(robot_, result_.state, link_poses_, place_->isectors.segments(), wish.demand,
           {.dt_s = dt_s_, .with_factor = config_.rules.distance_factor}, response_);
+  PressFlippers(wish.demand.commanded);
+  const RobotState before = result_.state;
   // A robot that stands still stands where it stood, to the last bit.
-  if (Move(wish.demand, limited)) StandOnGround();
-  Report(command, wish, limited);
+  if (Move(wish.demand, limited | tilting) || !before.at_rest) StandOnGround(before);
+  Report(command, wish, limited, tilting);
   UpdateAlarms(wish.demand.commanded, limited);
   UpdateTask(contacts_before);
   return result_;
@@ -142,15 +149,40 @@ void Simulator::StandAtStart() {
   result_.state.attitude = place_->module->start_attitude;
   result_.contact_parts = 0;
   response_.held.clear();
+  bearing_.Reset();
+  tilt_guard_.Reset();
   LinkPoses(robot_, result_.state, link_poses_);
-  StandOnGround();
+  if (config_.coverage == Coverage::kExtended) {
+    result_.state = place_->stance.PutDown(*place_->world, result_.state, link_poses_);
+    LinkPoses(robot_, result_.state, link_poses_);
+  } else {
+    StandOnGround(result_.state);
+  }
 }
 
 void Simulator::Cast(MotionSet wanted) {
+  place_->isectors.Silence(bearing_.motions());
   place_->isectors.Cast(*place_->world, link_poses_, wanted | response_.Watched(), result_.step);
 }
 
-/// Returns whether the robot moved, or is falling.
+/// Drive motions that would tilt the robot too far; all of them once it rolls over.
+MotionSet Simulator::TiltingMotions() const {
+  return result_.state.rolls_over ? kDriveMotions : tilt_guard_.refused();
+}
+
+/// A flipper that is pressed on against the ground begins to bear.
+void Simulator::PressFlippers(MotionSet wanted) {
+  if (config_.coverage != Coverage::kExtended) return;
+  MotionSet pressed = 0;
+  const std::span<const CastSegment> segments = place_->isectors.segments();
+  for (size_t i = 0; i < segments.size(); ++i) {
+    const MotionSet blocks = response_.contacts[i].blocks;
+    if (FlipperBearing::StopsOnGround(robot_, segments[i], blocks)) pressed |= blocks;
+  }
+  bearing_.Press(robot_.stance, pressed & wanted, dt_s_);
+}
+
+/// Returns whether the robot moved.
 bool Simulator::Move(const MotionDemand& wanted, MotionSet limited) {
   MotionDemand allowed = wanted;
   allowed.commanded &= ~(response_.blocked | limited);
@@ -159,29 +191,40 @@ bool Simulator::Move(const MotionDemand& wanted, MotionSet limited) {
   }
   allowed.left_hand_stopped = (allowed.commanded & response_.left_hand_blocked) != 0;
   allowed.right_hand_stopped = (allowed.commanded & response_.right_hand_blocked) != 0;
+  driven_ = allowed.commanded & kDriveMotions;
   const RobotState before = result_.state;
   result_.state = Advance(robot_, before, allowed, dt_s_);
   result_.speed = SignedRate(robot_, allowed, kDriveForward, kDriveReverse);
   result_.turn_rate = SignedRate(robot_, allowed, kTurnLeft, kTurnRight);
-  if (result_.state == before) return before.fall_speed > 0;
+  if (result_.state == before) return false;
   LinkPoses(robot_, result_.state, link_poses_);
   return true;
 }
 
-void Simulator::StandOnGround() {
-  place_->support.Cast(*place_->world, link_poses_, 0, result_.step);
-  result_.state = StandOn(place_->support.ground(), result_.state, dt_s_);
+void Simulator::StandOnGround(const RobotState& before) {
+  if (config_.coverage == Coverage::kExtended) {
+    Stance& stance = place_->stance;
+    result_.state = stance.Stand(*place_->world, link_poses_, before, result_.state, dt_s_);
+    bearing_.Lift(robot_.stance, {stance.FlipperGap(0), stance.FlipperGap(1)});
+    tilt_guard_.Update(robot_.stance, before.attitude, result_.state.attitude, driven_);
+  } else {
+    place_->support.Cast(*place_->world, link_poses_, 0, result_.step);
+    result_.state = StandOn(place_->support.ground(), result_.state, dt_s_);
+    result_.state.at_rest = result_.state.fall_speed == 0;
+  }
   LinkPoses(robot_, result_.state, link_poses_);
 }
 
-void Simulator::Report(const OperatorCommand& command, const Wish& wish, MotionSet limited) {
+void Simulator::Report(const OperatorCommand& command, const Wish& wish, MotionSet limited,
+                       MotionSet tilting) {
   result_.limit_flags = LimitFlags(robot_, result_.state);
   result_.contact_parts = response_.contact_parts;
   result_.command_sequence = command.sequence;
   result_.inhibited =
-      (response_.blocked | limited | wish.refused | command.inhibited) & kAllMotions;
+      (response_.blocked | limited | tilting | wish.refused | command.inhibited) & kAllMotions;
   result_.inhibit_reason = response_.blocked != 0       ? kReasonCollision
                            : limited != 0               ? kReasonJointLimit
+                           : tilting != 0               ? kReasonTilt
                            : wish.reason != kReasonNone ? wish.reason
                                                         : command.inhibit_reason;
 }
@@ -198,6 +241,7 @@ void Simulator::UpdateAlarms(MotionSet wanted, MotionSet limited) {
   const Attitude& attitude = result_.state.attitude;
   inputs.tilt =
       std::acos(std::clamp(std::cos(attitude.pitch) * std::cos(attitude.roll), -1.0, 1.0));
+  inputs.rolls_over = result_.state.rolls_over;
   result_.alarm_changes.clear();
   alarm_rules_.Update(inputs, alarms_, result_.alarm_changes);
 }

@@ -14,6 +14,9 @@
 #include "sim/operator_command.h"
 #include "sim/response/response.h"
 #include "sim/robot/robot_model.h"
+#include "sim/stance/flipper_bearing.h"
+#include "sim/stance/stance.h"
+#include "sim/stance/tilt_guard.h"
 #include "sim/task/task.h"
 #include "sim/world/world_model.h"
 
@@ -38,7 +41,7 @@ struct StepResult {
   double turn_rate = 0;      ///< [rad/s] left positive
   uint32_t limit_flags = 0;  ///< joints that stand on a limit, bit j is joint j
   MotionSet inhibited = 0;  ///< by a contact that stands, a limit that is pressed on, or the bridge
-  int inhibit_reason = kReasonNone;  ///< of several: collision, joint limit, then the others
+  int inhibit_reason = kReasonNone;  ///< of several: collision, joint limit, tilt, others
   uint32_t contact_parts = 0;
   int32_t command_sequence = 0;
   std::vector<AlarmChange> alarm_changes;  ///< of this step
@@ -79,7 +82,8 @@ class Simulator {
     const ModuleModel* module;
     std::unique_ptr<World> world;
     IsectorSet isectors;  ///< all that the commanded motions load
-    IsectorSet support;   ///< TRIPOD alone, at the pose after the motion
+    IsectorSet support;   ///< TRIPOD alone, at the pose after the motion: Coverage::kPaper
+    Stance stance;        ///< the same for Coverage::kExtended
     Task task;
   };
 
@@ -88,10 +92,13 @@ class Simulator {
   void StandAtStart();
   void Cast(MotionSet wanted);
   bool Move(const MotionDemand& wanted, MotionSet limited);
-  void StandOnGround();
+  MotionSet TiltingMotions() const;
+  void PressFlippers(MotionSet wanted);
+  void StandOnGround(const RobotState& before);
   void UpdateAlarms(MotionSet wanted, MotionSet limited);
   void UpdateTask(uint32_t contacts_before);
-  void Report(const OperatorCommand& command, const Wish& wish, MotionSet limited);
+  void Report(const OperatorCommand& command, const Wish& wish, MotionSet limited,
+              MotionSet tilting);
 
   const RobotModel& robot_;
   Scenario scenario_;
@@ -102,6 +109,9 @@ class Simulator {
   AlarmTable alarms_;
   AlarmRules alarm_rules_;
   Response response_;
+  FlipperBearing bearing_;
+  TiltGuard tilt_guard_;
+  MotionSet driven_ = 0;  ///< drive motions that acted in the last Move
   StepResult result_;
   std::vector<Eigen::Isometry3d> link_poses_;  ///< of result_.state
   int last_menu_command_ = kMenuNone;

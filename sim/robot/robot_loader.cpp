@@ -84,7 +84,7 @@ void RequireCameras(const SdfModel& sdf, const RobotModel& model) {
 
 RobotModel LoadRobot(const std::filesystem::path& file) {
   const SdfModel sdf = ReadSdfModel(file);
-  AllowElements(sdf.customs, {"chassis"}, "model " + sdf.name);
+  AllowElements(sdf.customs, {"chassis", "stance"}, "model " + sdf.name);
   RobotModel model;
   model.file = file;
   model.name = sdf.name;
@@ -92,6 +92,7 @@ RobotModel LoadRobot(const std::filesystem::path& file) {
   LinkTree tree = ReadLinks(sdf, file);
   model.links = std::move(tree.links);
   model.joints = ReadJoints(sdf, file, model.links);
+  model.stance = ReadStance(sdf, model);
   for (size_t i = 0; i < model.links.size(); ++i) {
     ReadLinkContents(sdf.links[static_cast<size_t>(tree.order[i])], static_cast<int>(i), model);
   }

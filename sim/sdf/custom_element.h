@@ -24,7 +24,10 @@ namespace eod::sim {
 ///   collision  <eod:proxy kind="clamp|bump|both"/>: stood on, run into, or both (default)
 ///   world      <eod:module id name frame size_x_m size_y_m start_heading_deg/>: a training area;
 ///              its models are posed relative_to its frame, whose origin is the start pad
-///   model      <eod:chassis creep_mps low_mps high_mps turn_deg_per_s step_up_m fall_search_m/>
+///   model      <eod:chassis creep_mps low_mps high_mps turn_deg_per_s step_up_m fall_search_m/>;
+///              <eod:stance friction pitch_limit_deg roll_limit_deg .../> with <eod:support link x
+///              outline/>: how it stands on any ground; an outline is a closed polygon y z y z ...
+///              in the link's plane at each x, counter-clockwise seen from +X
 ///   joint      <eod:motion index positive negative home_deg|home_m/>: this is J1..J9, and the two
 ///              motions that move it; <eod:follows joint scale hand/>: moved by another joint
 ///   link       <eod:isector name method part motions pose coverage face hit classes> with
@@ -45,6 +48,8 @@ struct CustomElement {
   double Number(const std::string& attribute, double lowest, double highest) const;
   int Integer(const std::string& attribute, int lowest, int highest) const;
   Eigen::Vector3d Vector(const std::string& attribute) const;
+  /// Any number of numbers, none too.
+  std::vector<double> Numbers(const std::string& attribute) const;
   /// Six numbers as in an SDFormat pose: x y z [m], roll pitch yaw about fixed X Y Z [deg].
   Eigen::Isometry3d Pose(const std::string& attribute) const;
 
