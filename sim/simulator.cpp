@@ -28,6 +28,9 @@ bool IsSame(TaskStatus a, const TaskStatus& b) {
   return a == b;
 }
 
+constexpr MotionSet kDriveMotions =
+    SetOf(kDriveForward) | SetOf(kDriveReverse) | SetOf(kTurnLeft) | SetOf(kTurnRight);
+
 double SignedRate(const RobotModel& robot, const MotionDemand& demand, int positive, int negative) {
   return demand.rate[positive] * RatedSpeed(robot, positive, demand.speed_range) -
          demand.rate[negative] * RatedSpeed(robot, negative, demand.speed_range);
@@ -43,6 +46,7 @@ Simulator::Place::Place(const RobotModel& robot, const WorldModel& all, const Mo
       isectors(robot, model.class_bit, config.coverage, config.rules),
       support(robot, model.class_bit, Coverage::kPaper,
               {.module_masks = config.rules.module_masks}),
+      stance(robot, config.rules.module_masks ? model.class_bit : kAnyModule),
       task(ScenarioIn(model, scenario), model) {}
 
 Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Scenario& scenario,
@@ -94,8 +98,10 @@ const StepResult& Simulator::Step(TimePoint now, const OperatorCommand& command)
   Cast(wanted.commanded);
   Respond(robot_, result_.state, link_poses_, place_->isectors.segments(), wanted,
           {.dt_s = dt_s_, .with_factor = config_.rules.distance_factor}, response_);
+  PressFlippers(wish.demand.commanded);
+  const RobotState before = result_.state;
   // A robot that stands still stands where it stood, to the last bit.
-  if (Move(wanted, inhibition)) StandOnGround();
+  if (Move(wanted, inhibition) || !before.at_rest) StandOnGround(before);
   Report(command, wish, inhibition);
   UpdateAlarms(wish.demand.commanded, inhibition);
   UpdateTask(contacts_before);
@@ -148,8 +154,15 @@ void Simulator::StandAtStart() {
   result_.contact_parts = 0;
   response_.held.clear();
   drives_.HaltAll();
+  bearing_.Reset();
+  tilt_guard_.Reset();
   LinkPoses(robot_, result_.state, link_poses_);
-  StandOnGround();
+  if (config_.coverage == Coverage::kExtended) {
+    result_.state = place_->stance.PutDown(*place_->world, result_.state, link_poses_);
+    LinkPoses(robot_, result_.state, link_poses_);
+  } else {
+    StandOnGround(result_.state);
+  }
 }
 
 /// What the motors do about a wish, its preset included.
@@ -165,14 +178,33 @@ MotionDemand Simulator::Want(const Wish& wish) {
 
 Simulator::Inhibition Simulator::Inhibit(const MotionDemand& wanted) {
   return {.limit = LimitedMotions(robot_, result_.state) & wanted.commanded,
+          .tilt = TiltingMotions() & wanted.commanded,
           .payload = payload_.Forbidden(result_.state, wanted, held_mass_, dt_s_)};
 }
 
 void Simulator::Cast(MotionSet wanted) {
+  place_->isectors.Silence(bearing_.motions());
   place_->isectors.Cast(*place_->world, link_poses_, wanted | response_.Watched(), result_.step);
 }
 
-/// Returns whether the robot moved, or is falling.
+/// Drive motions that would tilt the robot too far; all of them once it rolls over.
+MotionSet Simulator::TiltingMotions() const {
+  return result_.state.rolls_over ? kDriveMotions : tilt_guard_.refused();
+}
+
+/// A flipper that is pressed on against the ground begins to bear.
+void Simulator::PressFlippers(MotionSet wanted) {
+  if (config_.coverage != Coverage::kExtended) return;
+  MotionSet pressed = 0;
+  const std::span<const CastSegment> segments = place_->isectors.segments();
+  for (size_t i = 0; i < segments.size(); ++i) {
+    const MotionSet blocks = response_.contacts[i].blocks;
+    if (FlipperBearing::StopsOnGround(robot_, segments[i], blocks)) pressed |= blocks;
+  }
+  bearing_.Press(robot_.stance, pressed & wanted, dt_s_);
+}
+
+/// Returns whether the robot moved.
 bool Simulator::Move(const MotionDemand& wanted, const Inhibition& inhibition) {
   MotionDemand allowed = wanted;
   const MotionSet stopped = response_.blocked | inhibition.all();
@@ -184,18 +216,27 @@ bool Simulator::Move(const MotionDemand& wanted, const Inhibition& inhibition) {
   }
   allowed.left_hand_stopped = (allowed.commanded & response_.left_hand_blocked) != 0;
   allowed.right_hand_stopped = (allowed.commanded & response_.right_hand_blocked) != 0;
+  driven_ = allowed.commanded & kDriveMotions;
   const RobotState before = result_.state;
   result_.state = Advance(robot_, before, allowed, dt_s_);
   result_.speed = SignedRate(robot_, allowed, kDriveForward, kDriveReverse);
   result_.turn_rate = SignedRate(robot_, allowed, kTurnLeft, kTurnRight);
-  if (result_.state == before) return before.fall_speed > 0;
+  if (result_.state == before) return false;
   LinkPoses(robot_, result_.state, link_poses_);
   return true;
 }
 
-void Simulator::StandOnGround() {
-  place_->support.Cast(*place_->world, link_poses_, 0, result_.step);
-  result_.state = StandOn(place_->support.ground(), result_.state, dt_s_);
+void Simulator::StandOnGround(const RobotState& before) {
+  if (config_.coverage == Coverage::kExtended) {
+    Stance& stance = place_->stance;
+    result_.state = stance.Stand(*place_->world, link_poses_, before, result_.state, dt_s_);
+    bearing_.Lift(robot_.stance, {stance.FlipperGap(0), stance.FlipperGap(1)});
+    tilt_guard_.Update(robot_.stance, before.attitude, result_.state.attitude, driven_);
+  } else {
+    place_->support.Cast(*place_->world, link_poses_, 0, result_.step);
+    result_.state = StandOn(place_->support.ground(), result_.state, dt_s_);
+    result_.state.at_rest = result_.state.fall_speed == 0;
+  }
   LinkPoses(robot_, result_.state, link_poses_);
 }
 
@@ -207,6 +248,7 @@ void Simulator::Report(const OperatorCommand& command, const Wish& wish,
   result_.inhibited =
       (response_.blocked | inhibition.all() | wish.refused | command.inhibited) & kAllMotions;
   result_.inhibit_reason = response_.blocked != 0       ? kReasonCollision
+                           : inhibition.tilt != 0       ? kReasonTilt
                            : inhibition.payload != 0    ? kReasonPayload
                            : inhibition.limit != 0      ? kReasonJointLimit
                            : wish.reason != kReasonNone ? wish.reason
@@ -226,6 +268,7 @@ void Simulator::UpdateAlarms(MotionSet wished, const Inhibition& inhibition) {
   const Attitude& attitude = result_.state.attitude;
   inputs.tilt =
       std::acos(std::clamp(std::cos(attitude.pitch) * std::cos(attitude.roll), -1.0, 1.0));
+  inputs.rolls_over = result_.state.rolls_over;
   result_.alarm_changes.clear();
   alarm_rules_.Update(inputs, alarms_, result_.alarm_changes);
 }

@@ -16,6 +16,9 @@
 #include "sim/operator_command.h"
 #include "sim/response/response.h"
 #include "sim/robot/robot_model.h"
+#include "sim/stance/flipper_bearing.h"
+#include "sim/stance/stance.h"
+#include "sim/stance/tilt_guard.h"
 #include "sim/task/task.h"
 #include "sim/world/built_world.h"
 #include "sim/world/world_model.h"
@@ -41,7 +44,7 @@ struct StepResult {
   double turn_rate = 0;      ///< [rad/s] left positive
   uint32_t limit_flags = 0;  ///< joints that stand on a limit, bit j is joint j
   MotionSet inhibited = 0;  ///< by a contact that stands, a limit that is pressed on, or the bridge
-  int inhibit_reason = kReasonNone;  ///< of several: collision, joint limit, then the others
+  int inhibit_reason = kReasonNone;  ///< of several: collision, joint limit, tilt, others
   uint32_t contact_parts = 0;
   int32_t command_sequence = 0;
   std::vector<AlarmChange> alarm_changes;  ///< of this step
@@ -82,7 +85,8 @@ class Simulator {
     const ModuleModel* module;
     std::unique_ptr<BuiltWorld> world;
     IsectorSet isectors;  ///< all that the commanded motions load
-    IsectorSet support;   ///< TRIPOD alone, at the pose after the motion
+    IsectorSet support;   ///< TRIPOD alone, at the pose after the motion: Coverage::kPaper
+    Stance stance;        ///< the same for Coverage::kExtended
     Task task;
   };
 
@@ -92,15 +96,18 @@ class Simulator {
   /// Why motions of this step may not be, apart from contacts.
   struct Inhibition {
     MotionSet limit = 0;    ///< the joint stands on its limit
+    MotionSet tilt = 0;     ///< it would tilt the robot too far
     MotionSet payload = 0;  ///< what the hand holds is too heavy farther out
-    MotionSet all() const { return limit | payload; }
+    MotionSet all() const { return limit | tilt | payload; }
   };
 
   MotionDemand Want(const Wish& wish);
   Inhibition Inhibit(const MotionDemand& wanted);
   void Cast(MotionSet wanted);
   bool Move(const MotionDemand& wanted, const Inhibition& inhibition);
-  void StandOnGround();
+  MotionSet TiltingMotions() const;
+  void PressFlippers(MotionSet wanted);
+  void StandOnGround(const RobotState& before);
   void UpdateAlarms(MotionSet wished, const Inhibition& inhibition);
   void UpdateTask(uint32_t contacts_before);
   void Report(const OperatorCommand& command, const Wish& wish, const Inhibition& inhibition);
@@ -118,6 +125,9 @@ class Simulator {
   AlarmRules alarm_rules_;
   Response response_;
   double held_mass_ = 0;  ///< [kg]
+  FlipperBearing bearing_;
+  TiltGuard tilt_guard_;
+  MotionSet driven_ = 0;  ///< drive motions that acted in the last Move
   StepResult result_;
   std::vector<Eigen::Isometry3d> link_poses_;  ///< of result_.state
   int last_menu_command_ = kMenuNone;

@@ -46,7 +46,7 @@ void AlarmRules::Update(const AlarmInputs& inputs, AlarmTable& table,
   limited_joints_ = (limited_joints_ | inputs.driven_joints) & inputs.limit_flags;
   table.Set(AlarmCode::kJointLimit, limited_joints_ != 0, PartsOf(limited_joints_), changes);
 
-  const bool rolled_over = inputs.tilt > tilt_.rollover;
+  const bool rolled_over = inputs.rolls_over || inputs.tilt > tilt_.rollover;
   table.Set(AlarmCode::kTilt, inputs.tilt > tilt_.alarm && !rolled_over, BitOf(Part::kChassis),
             changes);
   table.Set(AlarmCode::kRollover, rolled_over, BitOf(Part::kChassis), changes);

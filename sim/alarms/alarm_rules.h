@@ -16,13 +16,15 @@ struct AlarmInputs {
   uint32_t limit_flags = 0;    ///< joints that stand on a limit, bit j is joint j
   uint32_t driven_joints = 0;  ///< joints that are commanded against the limit they stand on
   double tilt = 0;             ///< [rad] between the robot's up axis and the vertical
+  bool rolls_over = false;     ///< its centre of gravity is beyond its support
 };
 
 /// When an alarm goes on and off.
 ///
 /// Collision: from a new contact until it is gone. Push after alarm: a blocked motion held for more
 /// than 1 s after the alarm; until it is let go. Joint limit: once a joint is driven against its
-/// limit; until it has left it. Tilt and rollover: beyond the angles of TiltRules.
+/// limit; until it has left it. Tilt and rollover: beyond the angles of TiltRules; rollover also
+/// while the robot rolls over.
 class AlarmRules {
  public:
   explicit AlarmRules(const TiltRules& tilt) : tilt_(tilt) {}

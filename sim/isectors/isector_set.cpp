@@ -61,7 +61,9 @@ void IsectorSet::Place(int index, std::span<const Eigen::Isometry3d> X_ML, Motio
   isector.set_pose(X_ML[spec.link] * spec.X_LI);
   for (size_t i = 0; i < spec.segments.size(); ++i) {
     const SegmentSpec& segment = spec.segments[i];
-    isector.EnableSegment(static_cast<int>(i), segment.enabled && is_loaded(segment.motions));
+    const bool silenced = (segment.motions & ~silenced_) == 0;
+    isector.EnableSegment(static_cast<int>(i),
+                          segment.enabled && !silenced && is_loaded(segment.motions));
   }
 }
 

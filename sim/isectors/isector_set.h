@@ -45,6 +45,10 @@ class IsectorSet {
     Cast(world, X_ML, commanded, step_ + 1);
   }
 
+  /// From now on, segments that are live for these motions alone are not cast: those of flippers
+  /// that bear look for a ground that they stand on.
+  void Silence(MotionSet motions) { silenced_ = motions; }
+
   /// The step of the last call; Isector::kNever before the first.
   int64_t step() const { return step_; }
   /// All segments cast in the last call, in the order of the robot file.
@@ -63,7 +67,8 @@ class IsectorSet {
   const RobotModel& model_;
   Coverage coverage_;
   IsectorRules rules_;
-  int tripod_ = -1;                ///< index of the robot's TRIPOD
+  int tripod_ = -1;  ///< index of the robot's TRIPOD
+  MotionSet silenced_ = 0;
   std::vector<Isector> isectors_;  ///< one for each in the model
   IsectorBatch batch_;
   std::vector<CastSegment> segments_;

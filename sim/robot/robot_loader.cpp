@@ -100,7 +100,7 @@ void RequireCameras(const SdfModel& sdf, const RobotModel& model) {
 
 RobotModel LoadRobot(const std::filesystem::path& file) {
   const SdfModel sdf = ReadSdfModel(file);
-  AllowElements(sdf.customs, {"chassis", "payload", "preset"}, "model " + sdf.name);
+  AllowElements(sdf.customs, {"chassis", "payload", "preset", "stance"}, "model " + sdf.name);
   RobotModel model;
   model.file = file;
   model.name = sdf.name;
@@ -110,6 +110,7 @@ RobotModel LoadRobot(const std::filesystem::path& file) {
   model.joints = ReadJoints(sdf, file, model.links);
   model.presets = ReadPresets(sdf, model.joints);
   model.payload = ReadPayload(sdf);
+  model.stance = ReadStance(sdf, model);
   for (size_t i = 0; i < model.links.size(); ++i) {
     ReadLinkContents(sdf.links[static_cast<size_t>(tree.order[i])], static_cast<int>(i), model);
   }

@@ -103,6 +103,29 @@ struct PayloadSpec {
   double stretched = 0;  ///< [kg] at full stretch
 };
 
+/// A point of the robot's underside, which ground can carry.
+struct SupportPoint {
+  int link = 0;
+  Eigen::Vector3d p_L = Eigen::Vector3d::Zero();    ///< [m]
+  Eigen::Vector3d n_L = -Eigen::Vector3d::UnitZ();  ///< outwards, unit
+  uint32_t group = 0;  ///< of one outline at one x: neighbours, looked for together
+};
+
+/// How the robot stands on any ground, see stance.h.
+struct StanceSpec {
+  std::vector<SupportPoint> points;
+  double friction = 0;     ///< Coulomb, tracks on ground
+  double pitch_limit = 0;  ///< [rad] no drive motion increases the pitch beyond it, up or down ...
+  double roll_limit = 0;   ///< [rad] ... nor the roll, to either side
+  double overturned = 0;   ///< [rad] tilt at which a robot that rolled over lies
+  double press_on_s = 0;   ///< a flipper pressed on the ground for so long begins to bear
+  double lift_off = 0;     ///< [m] and ends when all its points are that far above the ground
+  double reach_up = 0;     ///< [m] ground is looked for from this far above a point ...
+  double reach_down = 0;   ///< [m] ... to this far below
+  double rise_speed = 0;   ///< [m/s] at which ground lifts a point of a robot that stands
+  double rise_per_metre = 0;  ///< and how much more for each metre that it drives
+};
+
 /// A camera on a link: looks along +Y of its frame, Z up.
 struct CameraSpec {
   std::string name;  ///< "drive", "gripper", "mast", "rear"
@@ -136,6 +159,7 @@ struct RobotModel {
   PayloadSpec payload;
   double step_up_limit = 0.45;  ///< [m] ground is looked for from this far above the wheels ...
   double fall_search = 3.0;     ///< [m] ... to this far below
+  StanceSpec stance;
 };
 
 /// Reads and checks a robot. Throws std::runtime_error with one line "FILE:LINE: …": not nine

@@ -32,4 +32,8 @@ PayloadSpec ReadPayload(const SdfModel& sdf);
 /// `model.step_up_limit` above to `model.fall_search` below.
 IsectorSpec ReadIsector(const CustomElement& element, int link, const RobotModel& model);
 
+/// The `<eod:stance>` of a robot whose links are known. Throws too if a tilted outline or a number
+/// is none.
+StanceSpec ReadStance(const SdfModel& sdf, const RobotModel& model);
+
 }  // namespace eod::sim

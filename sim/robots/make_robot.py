@@ -26,6 +26,7 @@ LAMP = Surface((1.0, 0.96, 0.80), "plain", 1.0, 0.9)
 TAIL_LAMP = Surface((0.75, 0.05, 0.03), "plain", 1.0, 0.6)
 
 AXLE_Y, AXLE_Z, TRACK_X = 0.375, 0.20, 0.30
+MAIN_WHEEL = 0.15
 FLIPPER, WHEEL = 0.40, 0.10
 BIG_ARM, SMALL_ARM = 0.75, 0.65
 BEAM_Y, FINGER, PAD_DEPTH = 0.15, 0.16, 0.005
@@ -118,6 +119,9 @@ def hinge(index, name, parent, child, limits_deg, rate_deg, home_deg, motions, a
 
 def chassis():
     link = Link("chassis")
+    # 120 kg, the tool mount's 2 kg with it: behind the middle, so that the stretched arm is
+    # balanced as designed: centre of gravity at y = 0.1083 without a load [C].
+    link.mass(122, (0, -0.0175, 0.24))
     link.visual(mesh("meshes/hull.obj"), OLIVE)
     for side in (-1, 1):
         x = side * TRACK_X
@@ -179,10 +183,11 @@ def chassis_isectors():
     lines += isector("LOS_REAR", "los", "chassis", "M02", [segment("-Y", "-Y", 0.05, 0.05, 10)],
                      (0, -0.475, 0.30))
     # Beyond the paper's set: the corners and sides that its lines leave open.
+    # The lower ones pass over a kerb of 0.15 m, which the tracks climb.
     for name, axis, drive, end in (("GUARD_FRONT", "+Y", "M01", 1), ("GUARD_REAR", "-Y", "M02", -1)):
         feelers = [segment(f"{side}{height}", axis, 0.05, 0.05, 0.5, (x, end * 0.475, z))
                    for side, x in (("left", -0.34), ("right", 0.34))
-                   for height, z in (("_low", 0.15), ("_high", 0.40))]
+                   for height, z in (("_low", 0.18), ("_high", 0.40))]
         lines += isector(name, "volume", "chassis", f"{drive} M03 M04", feelers, extended=True)
     for name, axis, x in (("GUARD_LEFT", "-X", -0.35), ("GUARD_RIGHT", "+X", 0.35)):
         feelers = [segment(place, axis, 0.05, 0.05, 0.4, (x, y, 0.25))
@@ -193,7 +198,7 @@ def chassis_isectors():
 
 def flipper(name, isectors):
     """Pair of swing arms: frame at the axle, +Y along the arms."""
-    link = Link(name)
+    link = Link(name).mass(12, (0, 0.17, 0))
     for side in (-1, 1):
         x = side * TRACK_X
         link.visual(mesh("meshes/flipper.obj"), RUBBER, (x, 0, 0))
@@ -209,7 +214,7 @@ def flipper(name, isectors):
 
 
 def arms():
-    big = Link("big_arm")
+    big = Link("big_arm").mass(14, (0, BIG_ARM / 2, 0))
     big.visual(box(0.09, 0.66, 0.11), OLIVE, (0, 0.36, 0))
     big.visual(box(0.094, 0.14, 0.112), HAZARD, (0, 0.58, 0))
     big.visual(cylinder(0.065, 0.13), GREY, (0, BIG_ARM, 0), ALONG_X)
@@ -217,14 +222,14 @@ def arms():
     big.visual(cylinder(0.012, 0.30), STEEL, (0, 0.50, -0.085), ALONG_Y)
     big.collision(box(0.09, 0.66, 0.165), (0, 0.36, -0.0275))
     big.collision(cylinder(0.065, 0.13), (0, BIG_ARM, 0), ALONG_X)
-    small = Link("small_arm")
+    small = Link("small_arm").mass(9, (0, SMALL_ARM / 2, 0))
     small.visual(box(0.07, 0.56, 0.08), OLIVE, (0, 0.32, 0))
     small.visual(box(0.074, 0.10, 0.082), HAZARD, (0, 0.54, 0))
     small.visual(cylinder(0.016, 0.40), GREY, (0.048, 0.30, 0.02), ALONG_Y)
     small.visual(cylinder(0.045, 0.10), GREY, (0, SMALL_ARM, 0), ALONG_X)
     small.collision(box(0.10, 0.56, 0.08), (0.014, 0.32, 0))
     small.collision(cylinder(0.045, 0.10), (0, SMALL_ARM, 0), ALONG_X)
-    wrist = Link("wrist")
+    wrist = Link("wrist").mass(3, (0, 0.075, 0))
     wrist.visual(box(0.06, 0.07, 0.06), OLIVE_DARK, (0, 0.035, 0))
     wrist.visual(box(0.045, 0.05, 0.04), GREY, (0, 0.02, 0.062))
     wrist.visual(cylinder(0.014, 0.012), LENS, (0, 0.05, 0.065), ALONG_Y)
@@ -240,11 +245,11 @@ def gripper():
     # l3, l6 and l9 look at what is between the hands: while these open or close, that is nearness,
     # not contact.
     but_grip = arm.removesuffix(" M17 M18")
-    roll = Link("gripper")
+    roll = Link("gripper").mass(2, (0, 0.15, 0))
     roll.visual(cylinder(0.035, 0.05), STEEL, (0, 0.085, 0), ALONG_Y)
     roll.visual(box(0.06, 0.05, 0.045), GREY, (0, 0.10, 0))
     roll.collision(box(0.06, 0.07, 0.06), (0, 0.09, 0))
-    beam = Link("crossbeam")
+    beam = Link("crossbeam").mass(1)
     beam.visual(box(0.30, 0.022, 0.035), GREY, (0, -0.012, 0))
     beam.visual(box(0.30, 0.006, 0.037), HAZARD, (0, -0.024, 0))
     beam.collision(box(0.30, 0.027, 0.037), (0, -0.0145, 0))
@@ -253,7 +258,7 @@ def gripper():
                            segment("l9", "+Y", 0.14, 0.02, blocks=but_grip)])
     hands = []
     for name, side in (("left_hand", -1), ("right_hand", 1)):
-        hand = Link(name)
+        hand = Link(name).mass(0.5, (0, FINGER / 2, 0))
         hand.visual(box(0.014, FINGER + 0.04, 0.045), STEEL, (side * 0.013, FINGER / 2 - 0.02, 0))
         hand.visual(box(0.006, FINGER - 0.02, 0.040), PAD, (side * 0.003, FINGER / 2 + 0.01, 0))
         hand.visual(box(0.03, 0.05, 0.03), GREY, (side * 0.02, -0.02, 0))
@@ -277,12 +282,13 @@ def gripper():
 
 
 def mast_camera():
-    pan = Link("camera_pan")
+    # Mast and camera together: 4 kg.
+    pan = Link("camera_pan").mass(2, (0, 0, -0.40))
     pan.visual(cylinder(0.035, 0.04), GREY, (0, 0, -0.07))
     pan.visual(box(0.02, 0.05, 0.12), GREY, (-0.065, 0, -0.01))
     pan.visual(box(0.13, 0.05, 0.015), GREY, (-0.01, 0, -0.055))
     pan.collision(box(0.15, 0.06, 0.14), (-0.01, 0, -0.02))
-    tilt = Link("camera_tilt")
+    tilt = Link("camera_tilt").mass(2)
     tilt.visual(box(0.10, 0.13, 0.085), OLIVE_DARK, (0, -0.005, 0))
     tilt.visual(cylinder(0.030, 0.02), LENS, (0, 0.062, 0), ALONG_Y)
     tilt.visual(box(0.11, 0.15, 0.008), GREY, (0, 0.01, 0.05))
@@ -318,6 +324,36 @@ def joints():
     return lines
 
 
+def arc(centre_y, centre_z, radius, from_deg, to_deg, steps):
+    """Points y z on a circle; 0 deg is forward, counter-clockwise seen from +X."""
+    angles = (math.radians(from_deg + (to_deg - from_deg) * i / steps) for i in range(steps + 1))
+    return [(centre_y + radius * math.cos(a), centre_z + radius * math.sin(a)) for a in angles]
+
+
+def support(link, x, outline):
+    yz = numbers([round(c, 5) for point in outline for c in point])
+    return f'<eod:support link="{link}" x="{numbers(x)}" outline="{yz}"/>'
+
+
+def stance():
+    """What ground can carry: tracks, belly and the flippers' belts, all round."""
+    belt = [(0.075 * i, 0) for i in range(-4, 5)]
+    track = [*arc(-AXLE_Y, MAIN_WHEEL, MAIN_WHEEL, 180, 270, 5), *belt,
+             *arc(AXLE_Y, MAIN_WHEEL, MAIN_WHEEL, 270, 360, 5),
+             (AXLE_Y + MAIN_WHEEL, 0.25), (-AXLE_Y - MAIN_WHEEL, 0.25)]
+    belly = [*((y, 0.10) for y in (-0.36, -0.18, 0, 0.18, 0.30)), (0.455, 0.22), (0.30, 0.45),
+             (-0.42, 0.45)]
+    run = [(y, 0.085 + (WHEEL - 0.085) * y / FLIPPER) for y in (0.10, 0.20, 0.30)]
+    swing = [*((y, -z) for y, z in run), *arc(FLIPPER, 0, WHEEL, 270, 450, 8), *reversed(run)]
+    # Friction: tan 40 deg, the stated slope limit of the prototype [P]; the rest [E].
+    tag = (f'eod:stance friction="{numbers([math.tan(math.radians(40))])}" pitch_limit_deg="38" '
+           'roll_limit_deg="28" overturned_deg="80" press_on_s="0.5" lift_off_m="0.01" '
+           'reach_up_m="0.2" reach_down_m="0.5" rise_mps="0.25" rise_per_metre="1.5"')
+    return element(tag, [support("chassis", (-TRACK_X, TRACK_X), track), support("chassis", (0,), belly),
+                         support("front_flipper", (-TRACK_X, TRACK_X), swing),
+                         support("rear_flipper", (-TRACK_X, TRACK_X), swing)])
+
+
 def model():
     front = [*wheel_isector("B1", "front_left_wheel", -TRACK_X, "M01", "M06", "M05 M06"),
              *wheel_isector("B2", "front_right_wheel", TRACK_X, "M01", "M06", "M05 M06")]
@@ -330,6 +366,7 @@ def model():
     lines = ['<eod:chassis creep_mps="0.1" low_mps="0.3" high_mps="0.67" turn_deg_per_s="30" '
              'accel_mps2="1" turn_accel_deg_per_s2="90" step_up_m="0.45" fall_search_m="3"/>',
              '<eod:payload folded_kg="15" stretched_kg="8"/>', *presets()]
+    lines += stance()
     lines += chassis().lines()
     lines += flipper("front_flipper", front).lines(xyz=(0, AXLE_Y, AXLE_Z))
     lines += flipper("rear_flipper", rear).lines(xyz=(0, -AXLE_Y, AXLE_Z), rpy_deg=(0, 0, 180))

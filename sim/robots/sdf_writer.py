@@ -79,6 +79,11 @@ class Link:
     def __init__(self, name):
         self.name, self.parts, self.count = name, [], 0
 
+    def mass(self, kilograms, xyz=(0, 0, 0)):
+        """What the link weighs, and where its centre of mass is."""
+        self.parts += element("inertial", [*pose(xyz), f"<mass>{numbers([kilograms])}</mass>"])
+        return self
+
     def visual(self, shape, surface, xyz=(0, 0, 0), rpy_deg=(0, 0, 0)):
         self.count += 1
         self.parts += element(f'visual name="v{self.count}"',

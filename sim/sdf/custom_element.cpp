@@ -78,6 +78,14 @@ Eigen::Vector3d CustomElement::Vector(const std::string& attribute) const {
   return {n[0], n[1], n[2]};
 }
 
+std::vector<double> CustomElement::Numbers(const std::string& attribute) const {
+  auto numbers = ToNumbers(Text(attribute));
+  if (!numbers) {
+    Fail(fmt::format("{} = \"{}\" of <eod:{}>: needs numbers", attribute, Text(attribute), name));
+  }
+  return *std::move(numbers);
+}
+
 Eigen::Isometry3d CustomElement::Pose(const std::string& attribute) const {
   const std::vector<double> n = NumbersOf(*this, attribute, 6);
   constexpr double kDegree = std::numbers::pi / 180;

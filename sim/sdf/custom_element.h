@@ -24,7 +24,8 @@ namespace eod::sim {
 ///   collision  <eod:proxy kind="clamp|bump|both"/>: stood on, run into, or both (default)
 ///   world      <eod:module id name frame size_x_m size_y_m start_heading_deg/>: a training area;
 ///              its models are posed relative_to its frame, whose origin is the start pad
-///   model      <eod:movable friction="0.6" rolling_m="0.0005"/>: it is not static; Coulomb friction
+///   model      <eod:movable friction="0.6" rolling_m="0.0005"/>: it is not static; Coulomb
+///   friction
 ///              and lever of rolling resistance; <eod:explosive/>: it is a charge;
 ///              <eod:vessel kind="drum" inner_radius_m net_m rim_m/>,
 ///              <eod:vessel kind="chamber" inner_x_m inner_y_m net_m rim_m/>: a static model that
@@ -32,7 +33,10 @@ namespace eod::sim {
 ///   model      <eod:chassis creep_mps low_mps high_mps turn_deg_per_s accel_mps2
 ///              turn_accel_deg_per_s2 step_up_m fall_search_m/>; <eod:payload folded_kg
 ///              stretched_kg/>: what the arm can carry; <eod:preset index name J1_deg .. J7_m ..
-///              />: a pose that the box can ask for, joints left out stay where they are
+///              />: a pose that the box can ask for, joints left out stay where they are;
+///              <eod:stance friction pitch_limit_deg roll_limit_deg .../> with <eod:support link x
+///              outline/>: how it stands on any ground; an outline is a closed polygon y z y z ...
+///              in the link's plane at each x, counter-clockwise seen from +X
 ///   joint      <eod:motion index positive negative home_deg|home_m accel_deg_per_s2|accel_mps2/>:
 ///              this is J1..J9, and the two motions that move it; <eod:follows joint scale hand/>:
 ///              moved by another joint
@@ -54,6 +58,8 @@ struct CustomElement {
   double Number(const std::string& attribute, double lowest, double highest) const;
   int Integer(const std::string& attribute, int lowest, int highest) const;
   Eigen::Vector3d Vector(const std::string& attribute) const;
+  /// Any number of numbers, none too.
+  std::vector<double> Numbers(const std::string& attribute) const;
   /// Six numbers as in an SDFormat pose: x y z [m], roll pitch yaw about fixed X Y Z [deg].
   Eigen::Isometry3d Pose(const std::string& attribute) const;
 

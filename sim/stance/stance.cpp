@@ -1,0 +1,234 @@
+#include "sim/stance/stance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace eod::sim {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kGravity = 9.80665;  // [m/s^2]
+constexpr double kLooksDown = 0.1;    // a point whose normal points up by more carries nothing
+constexpr double kStill = 1e-9;       // [m] less is rounding: a robot at rest keeps its bits
+constexpr double kCarries = 1e-9;     // share of the weight
+constexpr int kPuttingDown = 40;      // rounds; each halves what is left, and more
+
+int FlipperOf(const RobotModel& robot, const SupportPoint& point) {
+  const int joint = robot.links[point.link].joint;
+  return joint == kFrontFlipper ? 0 : joint == kRearFlipper ? 1 : -1;
+}
+
+double TiltOf(const Attitude& attitude) {
+  return std::acos(std::clamp(std::cos(attitude.pitch) * std::cos(attitude.roll), -1.0, 1.0));
+}
+
+/// Lays the robot on the plane that its own has to move by.
+void MoveBy(const RestingPlane& plane, RobotState& state) {
+  const Vector3d up = ToRotation(state.attitude).col(2);
+  const Vector2d slope = plane.slope - up.head<2>() / up.z();
+  const Vector3d n_M = Vector3d(-slope.x(), -slope.y(), 1).normalized();
+  const Attitude laid = AttitudeOnPlane(n_M, state.attitude.heading);
+  state.attitude.pitch = laid.pitch;
+  state.attitude.roll = laid.roll;
+  state.position.z() += plane.offset;
+}
+
+}  // namespace
+
+Stance::Stance(const RobotModel& robot, uint32_t module_mask)
+    : robot_(robot), class_mask_(module_mask | kClampProxy) {
+  memory_.surroundings.Reserve();
+  const size_t most = robot.stance.points.size();
+  for (const SupportPoint& point : robot.stance.points) {
+    flipper_of_.push_back(FlipperOf(robot, point));
+    if (point.link == 0) turning_radius_ = std::max(turning_radius_, point.p_L.head<2>().norm());
+  }
+  points_.reserve(most);
+  normals_.reserve(most);
+  queries_.reserve(most);
+  hits_.reserve(most);
+  depths_.reserve(most);
+  props_.reserve(most + 1);
+}
+
+void Stance::Reset() { stood_on_ = {-1, -1, -1}; }
+
+RobotState Stance::Stand(const World& world, std::span<const Isometry3d> X_ML,
+                         const RobotState& before, const RobotState& state, double dt_s,
+                         const Load& load) {
+  if (state.rolls_over && TiltOf(state.attitude) >= robot_.stance.overturned) {
+    RobotState lies = state;
+    lies.fall_speed = 0;
+    lies.slip.setZero();
+    lies.at_rest = true;
+    return lies;
+  }
+  const double turn = std::remainder(state.attitude.heading - before.attitude.heading, 2 * M_PI);
+  const double travel =
+      (state.position - before.position).head<2>().norm() + turning_radius_ * std::abs(turn);
+  const Limits limits{
+      .sink = (state.fall_speed + kGravity * dt_s) * dt_s,
+      .rise = robot_.stance.rise_speed * dt_s + robot_.stance.rise_per_metre * travel};
+  return StandWithin(world, X_ML, state, limits, dt_s, load);
+}
+
+RobotState Stance::PutDown(const World& world, RobotState state, std::vector<Isometry3d>& X_ML,
+                           const Load& load) {
+  Reset();
+  const Limits limits{.sink = robot_.stance.reach_down, .rise = robot_.stance.reach_up};
+  for (int round = 0; round < kPuttingDown; ++round) {
+    LinkPoses(robot_, state, X_ML);
+    state = StandWithin(world, X_ML, state, limits, 0, load);
+    const bool ground =
+        std::any_of(hits_.begin(), hits_.end(), [](const SegmentHit& hit) { return hit.hit; });
+    if (state.at_rest || !ground) break;
+  }
+  state.fall_speed = 0;
+  return state;
+}
+
+RobotState Stance::StandWithin(const World& world, std::span<const Isometry3d> X_ML,
+                               const RobotState& state, const Limits& limits, double dt_s,
+                               const Load& load) {
+  LookForGround(world, X_ML);
+  SetProps(state, limits);
+  const Vector2d centre = (CentreOfGravity(robot_, X_ML, load) - state.position).head<2>();
+  RobotState next = state;
+  next.rolls_over = !Rest(centre, limits.sink);
+  const bool held_up = IsHeldUp(limits.sink);
+  const double moved = std::abs(plane_.offset) + turning_radius_ * plane_.slope.lpNorm<1>();
+  const bool still = moved <= kStill;
+  next.fall_speed = still ? 0 : SinkSpeed(limits.sink, dt_s);
+  if (!still) MoveBy(plane_, next);
+  if (held_up) Slip(next, dt_s);
+  next.at_rest = still && held_up && !next.rolls_over && next.slip.isZero(0);
+  return next;
+}
+
+/// One vertical through every point that looks down.
+void Stance::LookForGround(const World& world, std::span<const Isometry3d> X_ML) {
+  const StanceSpec& stance = robot_.stance;
+  points_.clear();
+  normals_.clear();
+  queries_.clear();
+  for (size_t i = 0; i < stance.points.size(); ++i) {
+    const SupportPoint& point = stance.points[i];
+    const Isometry3d& X_MP = X_ML[point.link];
+    const Vector3d n_M = X_MP.linear() * point.n_L;
+    if (n_M.z() > kLooksDown) continue;
+    points_.push_back(static_cast<int>(i));
+    normals_.push_back(-n_M);
+    queries_.push_back({.start = X_MP * point.p_L + stance.reach_up * Vector3d::UnitZ(),
+                        .direction = -Vector3d::UnitZ(),
+                        .length = stance.reach_up + stance.reach_down,
+                        .class_mask = class_mask_,
+                        .hit_rule = HitRule::kHighest,
+                        .group = point.group});
+  }
+  hits_.resize(queries_.size());
+  memory_.counters = {};
+  world.Cast(queries_, hits_, memory_);
+}
+
+/// How far each point has to rise, or may sink.
+void Stance::SetProps(const RobotState& state, const Limits& limits) {
+  const StanceSpec& stance = robot_.stance;
+  depths_.clear();
+  props_.clear();
+  flipper_gap_ = {stance.reach_down, stance.reach_down};
+  for (size_t i = 0; i < points_.size(); ++i) {
+    const double depth = hits_[i].hit ? stance.reach_up - hits_[i].range : -stance.reach_down;
+    const Vector3d p = queries_[i].start - state.position;
+    depths_.push_back(depth);
+    props_.push_back({p.x(), p.y(), std::clamp(depth, -limits.sink, limits.rise)});
+    const int flipper = flipper_of_[points_[i]];
+    if (flipper >= 0) flipper_gap_[flipper] = std::min(flipper_gap_[flipper], -depth);
+  }
+}
+
+/// Lays plane_ on the props. False if the centre of gravity is beyond them all: then it tips over
+/// the nearest ones, on a prop of its own that gives way as fast as things fall.
+bool Stance::Rest(const Vector2d& centre, double sink) {
+  std::array<int, 3> triangle;
+  const bool stands = WarmStart(centre, triangle) || FindTriangle(props_, centre, triangle);
+  if (!stands) {
+    Vector2d middle = Vector2d::Zero();
+    for (const Prop& prop : props_) middle += Vector2d(prop.x, prop.y) / double(props_.size());
+    const Vector2d beyond = centre + (centre - middle);
+    props_.push_back({beyond.x(), beyond.y(), -sink});
+    if (!FindTriangle(props_, centre, triangle)) {
+      plane_ = {.offset = -sink, .props = {-1, -1, -1}};
+      stood_on_ = {-1, -1, -1};
+      return false;
+    }
+  }
+  plane_ = RestOn(props_, centre, triangle);
+  for (size_t i = 0; i < 3; ++i) {
+    const auto prop = static_cast<size_t>(plane_.props[i]);
+    stood_on_[i] = prop < points_.size() ? points_[prop] : -1;
+  }
+  return stands;
+}
+
+/// The triangle of the last step, if it is still there and round the centre.
+bool Stance::WarmStart(const Vector2d& centre, std::array<int, 3>& triangle) const {
+  for (size_t i = 0; i < 3; ++i) {
+    const auto found = std::lower_bound(points_.begin(), points_.end(), stood_on_[i]);
+    if (found == points_.end() || *found != stood_on_[i]) return false;
+    triangle[i] = static_cast<int>(found - points_.begin());
+  }
+  const std::array<double, 3> load = LoadOn(props_, triangle, centre);
+  return *std::min_element(load.begin(), load.end()) >= 0;
+}
+
+/// Whether ground carries all of the weight.
+bool Stance::IsHeldUp(double sink) const {
+  for (size_t i = 0; i < 3; ++i) {
+    if (plane_.load[i] <= kCarries) continue;
+    const auto prop = static_cast<size_t>(plane_.props[i]);
+    if (prop >= depths_.size() || depths_[prop] < -sink) return false;
+  }
+  return plane_.props[0] >= 0;
+}
+
+/// Of the prop that gives way fastest, among those that carry.
+double Stance::SinkSpeed(double sink, double dt_s) const {
+  if (dt_s <= 0) return 0;
+  if (plane_.props[0] < 0) return sink / dt_s;
+  double lowest = 0;
+  for (size_t i = 0; i < 3; ++i) {
+    if (plane_.load[i] > kCarries) lowest = std::min(lowest, props_[plane_.props[i]].height);
+  }
+  return -lowest / dt_s;
+}
+
+/// Coulomb: it holds up to the friction's angle, and slides downhill beyond it.
+void Stance::Slip(RobotState& state, double dt_s) const {
+  Vector3d n_M = Vector3d::Zero();
+  for (size_t i = 0; i < 3; ++i) {
+    const auto prop = static_cast<size_t>(plane_.props[i]);
+    if (plane_.load[i] <= kCarries || !hits_[prop].hit) continue;
+    // Where a point meets an edge, the flatter surface of the two has the edge on it.
+    Vector3d ground = hits_[prop].normal;
+    if (ground.z() < 0) ground = -ground;
+    n_M += plane_.load[i] * (ground.z() > normals_[prop].z() ? ground : normals_[prop]);
+  }
+  const double steep = n_M.head<2>().norm();
+  const double grip = robot_.stance.friction * n_M.z();
+  if (steep <= grip && state.slip.isZero(0)) return;
+  const double norm = n_M.norm();
+  if (!(norm > 0)) return;
+  const double brake = kGravity * grip / norm * dt_s;
+  Vector2d slip = state.slip + kGravity * dt_s / norm * n_M.head<2>();
+  const double speed = slip.norm();
+  state.slip = speed > brake ? Vector2d(slip * (1 - brake / speed)) : Vector2d::Zero();
+  // Along the slope, so the way in plan view is shorter.
+  const Vector2d way = state.slip * (n_M.z() / norm * dt_s);
+  state.position.head<2>() += way;
+  state.position.z() -= n_M.head<2>().dot(way) / n_M.z();
+}
+
+}  // namespace eod::sim
