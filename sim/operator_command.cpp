@@ -3,6 +3,12 @@
 #include <algorithm>
 
 namespace eod::sim {
+namespace {
+
+/// Of arm, gripper and flippers.
+constexpr MotionSet kPresetMotions = (SetOf(kCameraPanLeft) - 1) & ~(SetOf(kFrontFlipperUp) - 1);
+
+}  // namespace
 
 Wish WishOf(const OperatorCommand& command, TimePoint now, Duration timeout) {
   Wish wish;
@@ -19,9 +25,17 @@ Wish WishOf(const OperatorCommand& command, TimePoint now, Duration timeout) {
     return wish;
   }
 
+  wish.trusted = true;
+  wish.brakes = command.safe_stop;
+  wish.preset = command.motion_permitted ? command.preset : 0;
+  if (wish.preset != 0 && (asked & kPresetMotions) != 0) {
+    wish.refused = asked & kPresetMotions;
+    wish.reason = kReasonConflict;
+    wish.preset = 0;
+  }
   wish.demand.speed_range = command.speed_range;
   for (int motion = 0; motion < kMotionCount; ++motion) {
-    if (!Contains(asked, motion)) continue;
+    if (!Contains(asked & ~wish.refused, motion)) continue;
     if (Contains(asked, motion ^ 1)) {
       wish.refused |= SetOf(motion);
       wish.reason = kReasonConflict;

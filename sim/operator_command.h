@@ -46,12 +46,15 @@ struct OperatorCommand {
 struct Wish {
   MotionDemand demand;
   MotionSet refused = 0;  ///< asked for, but not to be done
+  bool trusted = false;   ///< fresh, and motion is permitted or comes to its end
+  int preset = 0;         ///< as OperatorCommand has it, 0 if it must not run
+  bool brakes = false;    ///< the rates come down to zero by themselves: obey at once
   int reason = kReasonNone;
 };
 
 /// Any doubt means zero motion: neither permitted nor in a safe stop's ramp, `timeout` old or
 /// older, an unknown speed range. Opposite motions together are both refused; a rate is clamped to
-/// 0..1, and NaN is 0.
+/// 0..1, and NaN is 0. A preset and a button that moves arm or flippers are refused together.
 Wish WishOf(const OperatorCommand& command, TimePoint now, Duration timeout);
 
 }  // namespace eod::sim

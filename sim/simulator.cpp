@@ -50,6 +50,9 @@ Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Sce
       scenario_(scenario),
       config_(config),
       dt_s_(ToSeconds(config.period)),
+      drives_(robot),
+      preset_run_(robot),
+      payload_(robot),
       alarm_rules_(config.exercise.tilt),
       start_asked_(config.start_mission) {
   using std::chrono::milliseconds;
@@ -83,16 +86,17 @@ const StepResult& Simulator::Step(TimePoint now, const OperatorCommand& command)
   result_.time = now;
   ObeyMenu(command);
   const Wish wish = paused_ ? Wish{} : WishOf(command, now, config_.command_timeout);
-  const MotionSet limited = LimitedMotions(robot_, result_.state) & wish.demand.commanded;
+  const MotionDemand wanted = Want(wish);
+  const Inhibition inhibition = Inhibit(wanted);
   const uint32_t contacts_before = result_.contact_parts;
 
-  Cast(wish.demand.commanded);
-  Respond(robot_, result_.state, link_poses_, place_->isectors.segments(), wish.demand,
+  Cast(wanted.commanded);
+  Respond(robot_, result_.state, link_poses_, place_->isectors.segments(), wanted,
           {.dt_s = dt_s_, .with_factor = config_.rules.distance_factor}, response_);
   // A robot that stands still stands where it stood, to the last bit.
-  if (Move(wish.demand, limited)) StandOnGround();
-  Report(command, wish, limited);
-  UpdateAlarms(wish.demand.commanded, limited);
+  if (Move(wanted, inhibition)) StandOnGround();
+  Report(command, wish, inhibition);
+  UpdateAlarms(wish.demand.commanded, inhibition);
   UpdateTask(contacts_before);
   return result_;
 }
@@ -142,8 +146,25 @@ void Simulator::StandAtStart() {
   result_.state.attitude = place_->module->start_attitude;
   result_.contact_parts = 0;
   response_.held.clear();
+  drives_.HaltAll();
   LinkPoses(robot_, result_.state, link_poses_);
   StandOnGround();
+}
+
+/// What the motors do about a wish, its preset included.
+MotionDemand Simulator::Want(const Wish& wish) {
+  MotionDemand wanted = wish.demand;
+  const MotionDemand preset = preset_run_.Demand(wish.preset, result_.state, dt_s_);
+  for (int motion = 0; motion < kMotionCount; ++motion) wanted.rate[motion] += preset.rate[motion];
+  wanted.commanded |= preset.commanded;
+  // Doubt is no moment to run out gently.
+  if (!wish.trusted) drives_.HaltAll();
+  return drives_.Follow(wanted, dt_s_, wish.brakes);
+}
+
+Simulator::Inhibition Simulator::Inhibit(const MotionDemand& wanted) {
+  return {.limit = LimitedMotions(robot_, result_.state) & wanted.commanded,
+          .payload = payload_.Forbidden(result_.state, wanted, held_mass_, dt_s_)};
 }
 
 void Simulator::Cast(MotionSet wanted) {
@@ -151,9 +172,12 @@ void Simulator::Cast(MotionSet wanted) {
 }
 
 /// Returns whether the robot moved, or is falling.
-bool Simulator::Move(const MotionDemand& wanted, MotionSet limited) {
+bool Simulator::Move(const MotionDemand& wanted, const Inhibition& inhibition) {
   MotionDemand allowed = wanted;
-  allowed.commanded &= ~(response_.blocked | limited);
+  const MotionSet stopped = response_.blocked | inhibition.all();
+  if ((preset_run_.moving() & stopped) != 0) preset_run_.Stop();
+  drives_.Halt(stopped);
+  allowed.commanded &= ~stopped;
   for (int motion = 0; motion < kMotionCount; ++motion) {
     if (!Contains(allowed.commanded, motion)) allowed.rate[motion] = 0;
   }
@@ -174,26 +198,29 @@ void Simulator::StandOnGround() {
   LinkPoses(robot_, result_.state, link_poses_);
 }
 
-void Simulator::Report(const OperatorCommand& command, const Wish& wish, MotionSet limited) {
+void Simulator::Report(const OperatorCommand& command, const Wish& wish,
+                       const Inhibition& inhibition) {
   result_.limit_flags = LimitFlags(robot_, result_.state);
   result_.contact_parts = response_.contact_parts;
   result_.command_sequence = command.sequence;
   result_.inhibited =
-      (response_.blocked | limited | wish.refused | command.inhibited) & kAllMotions;
+      (response_.blocked | inhibition.all() | wish.refused | command.inhibited) & kAllMotions;
   result_.inhibit_reason = response_.blocked != 0       ? kReasonCollision
-                           : limited != 0               ? kReasonJointLimit
+                           : inhibition.payload != 0    ? kReasonPayload
+                           : inhibition.limit != 0      ? kReasonJointLimit
                            : wish.reason != kReasonNone ? wish.reason
                                                         : command.inhibit_reason;
 }
 
-void Simulator::UpdateAlarms(MotionSet wanted, MotionSet limited) {
+void Simulator::UpdateAlarms(MotionSet wished, const Inhibition& inhibition) {
   AlarmInputs inputs;
   inputs.dt_s = dt_s_;
   inputs.contact_parts = response_.contact_parts;
-  inputs.pushing = (wanted & response_.blocked) != 0;
+  inputs.pushing = (wished & response_.blocked) != 0;
   inputs.limit_flags = result_.limit_flags;
   for (int motion = 0; motion < kMotionCount; ++motion) {
-    if (Contains(limited, motion)) inputs.driven_joints |= 1u << JointOf(robot_, motion).joint;
+    if (Contains(inhibition.limit, motion))
+      inputs.driven_joints |= 1u << JointOf(robot_, motion).joint;
   }
   const Attitude& attitude = result_.state.attitude;
   inputs.tilt =

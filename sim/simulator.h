@@ -10,7 +10,9 @@
 #include "sim/bodies/rigid_bodies.h"
 #include "sim/disposal/disposal_status.h"
 #include "sim/isectors/isector_set.h"
-#include "sim/motion/motion.h"
+#include "sim/motion/drives.h"
+#include "sim/motion/payload.h"
+#include "sim/motion/preset_run.h"
 #include "sim/operator_command.h"
 #include "sim/response/response.h"
 #include "sim/robot/robot_model.h"
@@ -86,12 +88,21 @@ class Simulator {
   void ObeyMenu(const OperatorCommand& command);
   void EnterModule(int id);
   void StandAtStart();
+  /// Why motions of this step may not be, apart from contacts.
+  struct Inhibition {
+    MotionSet limit = 0;    ///< the joint stands on its limit
+    MotionSet payload = 0;  ///< what the hand holds is too heavy farther out
+    MotionSet all() const { return limit | payload; }
+  };
+
+  MotionDemand Want(const Wish& wish);
+  Inhibition Inhibit(const MotionDemand& wanted);
   void Cast(MotionSet wanted);
-  bool Move(const MotionDemand& wanted, MotionSet limited);
+  bool Move(const MotionDemand& wanted, const Inhibition& inhibition);
   void StandOnGround();
-  void UpdateAlarms(MotionSet wanted, MotionSet limited);
+  void UpdateAlarms(MotionSet wished, const Inhibition& inhibition);
   void UpdateTask(uint32_t contacts_before);
-  void Report(const OperatorCommand& command, const Wish& wish, MotionSet limited);
+  void Report(const OperatorCommand& command, const Wish& wish, const Inhibition& inhibition);
 
   const RobotModel& robot_;
   Scenario scenario_;
@@ -99,9 +110,13 @@ class Simulator {
   double dt_s_;
   std::vector<std::unique_ptr<Place>> places_;
   Place* place_ = nullptr;
+  Drives drives_;
+  PresetRun preset_run_;
+  Payload payload_;
   AlarmTable alarms_;
   AlarmRules alarm_rules_;
   Response response_;
+  double held_mass_ = 0;  ///< [kg]
   StepResult result_;
   std::vector<Eigen::Isometry3d> link_poses_;  ///< of result_.state
   int last_menu_command_ = kMenuNone;

@@ -48,7 +48,8 @@ LinkSpec ToLinkSpec(const SdfModel& sdf, const SdfJoint& joint, int parent, int 
 JointSpec ReadJoint(const SdfJoint& joint, const CustomElement& motion) {
   const bool turns = joint.type == "revolute";
   const std::string home = turns ? "home_deg" : "home_m";
-  motion.AllowAttributes({"index", "positive", "negative", home});
+  const std::string acceleration = turns ? "accel_deg_per_s2" : "accel_mps2";
+  motion.AllowAttributes({"index", "positive", "negative", home, acceleration});
   JointSpec spec{.name = joint.name,
                  .lower = joint.lower,
                  .upper = joint.upper,
@@ -56,7 +57,9 @@ JointSpec ReadJoint(const SdfJoint& joint, const CustomElement& motion) {
                  .home = motion.Number(home, -360, 360),
                  .positive_motion = MotionOf(motion, "positive"),
                  .negative_motion = MotionOf(motion, "negative")};
-  if (turns) spec.home *= std::numbers::pi / 180;
+  const double unit = turns ? std::numbers::pi / 180 : 1;
+  spec.home *= unit;
+  if (motion.Has(acceleration)) spec.acceleration = motion.Number(acceleration, 0.01, 1e4) * unit;
   if (!(spec.lower < spec.upper) || !std::isfinite(spec.upper - spec.lower)) {
     motion.Fail(
         fmt::format("joint {}: limits {}..{} leave no room", joint.name, spec.lower, spec.upper));

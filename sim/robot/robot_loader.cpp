@@ -34,11 +34,18 @@ void ReadChassis(const SdfModel& sdf, RobotModel& model) {
   if (chassis == nullptr) {
     FailAt(model.file, sdf.line, fmt::format("model {} needs <eod:chassis>", sdf.name));
   }
-  chassis->AllowAttributes(
-      {"creep_mps", "low_mps", "high_mps", "turn_deg_per_s", "step_up_m", "fall_search_m"});
+  chassis->AllowAttributes({"creep_mps", "low_mps", "high_mps", "turn_deg_per_s", "accel_mps2",
+                            "turn_accel_deg_per_s2", "step_up_m", "fall_search_m"});
   model.drive_speed = {chassis->Number("creep_mps", 0.01, 5), chassis->Number("low_mps", 0.01, 5),
                        chassis->Number("high_mps", 0.01, 5)};
   model.turn_rate = chassis->Number("turn_deg_per_s", 1, 360) * std::numbers::pi / 180;
+  if (chassis->Has("accel_mps2")) {
+    model.drive_acceleration = chassis->Number("accel_mps2", 0.01, 100);
+  }
+  if (chassis->Has("turn_accel_deg_per_s2")) {
+    model.turn_acceleration =
+        chassis->Number("turn_accel_deg_per_s2", 0.1, 1e4) * std::numbers::pi / 180;
+  }
   model.step_up_limit = chassis->Number("step_up_m", 0.01, 2);
   model.fall_search = chassis->Number("fall_search_m", 0.1, 100);
 }
@@ -84,7 +91,7 @@ void RequireCameras(const SdfModel& sdf, const RobotModel& model) {
 
 RobotModel LoadRobot(const std::filesystem::path& file) {
   const SdfModel sdf = ReadSdfModel(file);
-  AllowElements(sdf.customs, {"chassis"}, "model " + sdf.name);
+  AllowElements(sdf.customs, {"chassis", "payload", "preset"}, "model " + sdf.name);
   RobotModel model;
   model.file = file;
   model.name = sdf.name;
@@ -92,6 +99,8 @@ RobotModel LoadRobot(const std::filesystem::path& file) {
   LinkTree tree = ReadLinks(sdf, file);
   model.links = std::move(tree.links);
   model.joints = ReadJoints(sdf, file, model.links);
+  model.presets = ReadPresets(sdf, model.joints);
+  model.payload = ReadPayload(sdf);
   for (size_t i = 0; i < model.links.size(); ++i) {
     ReadLinkContents(sdf.links[static_cast<size_t>(tree.order[i])], static_cast<int>(i), model);
   }

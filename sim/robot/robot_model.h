@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,12 +20,16 @@
 
 namespace eod::sim {
 
+/// An acceleration without a limit.
+inline constexpr double kAtOnce = std::numeric_limits<double>::infinity();
+
 /// One of the nine joints. Revolute joints in [rad], J7 in [m] of opening per hand.
 struct JointSpec {
   std::string name;  ///< "J1_front_flipper"
   double lower = 0;
   double upper = 0;
-  double rate = 0;  ///< at 100 % [rad/s] or [m/s]
+  double rate = 0;                ///< at 100 % [rad/s] or [m/s]
+  double acceleration = kAtOnce;  ///< of rate, up and down [rad/s^2] or [m/s^2]
   double home = 0;
   int positive_motion = 0;  ///< MotionId that makes the coordinate grow
   int negative_motion = 0;
@@ -84,6 +90,19 @@ struct IsectorSpec {
   std::vector<SegmentSpec> segments;
 };
 
+/// A pose of the joints that the box can ask for. Joints without a target stay where they are.
+struct PresetSpec {
+  int index = 0;  ///< number in box_command_t.preset, 1..7
+  std::string name;
+  std::array<std::optional<double>, kJointCount> joint;  ///< [rad]; J7 [m]
+};
+
+/// What the arm can carry, by how far it reaches. 0 kg: it says nothing about it.
+struct PayloadSpec {
+  double folded = 0;     ///< [kg] never more than this
+  double stretched = 0;  ///< [kg] at full stretch
+};
+
 /// A camera on a link: looks along +Y of its frame, Z up.
 struct CameraSpec {
   std::string name;  ///< "drive", "gripper", "mast", "rear"
@@ -111,6 +130,10 @@ struct RobotModel {
   std::vector<LinkVisual> visuals;
   std::array<double, 3> drive_speed{};  ///< [m/s] creep, low, high
   double turn_rate = 0;                 ///< [rad/s] at 100 %, any range
+  double drive_acceleration = kAtOnce;  ///< [m/s^2]
+  double turn_acceleration = kAtOnce;   ///< [rad/s^2]
+  std::vector<PresetSpec> presets;
+  PayloadSpec payload;
   double step_up_limit = 0.45;  ///< [m] ground is looked for from this far above the wheels ...
   double fall_search = 3.0;     ///< [m] ... to this far below
 };

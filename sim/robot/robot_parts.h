@@ -21,6 +21,13 @@ std::array<JointSpec, kJointCount> ReadJoints(const SdfModel& sdf,
                                               const std::filesystem::path& file,
                                               std::vector<LinkSpec>& links);
 
+/// The poses that the box can ask for: `<eod:preset>`.
+std::vector<PresetSpec> ReadPresets(const SdfModel& sdf,
+                                    const std::array<JointSpec, kJointCount>& joints);
+
+/// `<eod:payload>`.
+PayloadSpec ReadPayload(const SdfModel& sdf);
+
 /// An `<eod:isector>` of link `link`. Lines of TRIPOD and of height isectors reach from
 /// `model.step_up_limit` above to `model.fall_search` below.
 IsectorSpec ReadIsector(const CustomElement& element, int link, const RobotModel& model);

@@ -74,6 +74,30 @@ def camera(name, fov_deg, xyz, width=640, height=480):
         "</camera>"])
 
 
+# Name, and J1 .. J9 in degrees (J7 in metres; None: stays). Hand poses solved for the hand's centre
+# (y, z) and pitch: ground pick (1.20, 0.12) -20; carry (0.85, 0.80) 0; can drop (1.05, 1.15) -60 [C].
+PRESETS = (
+    ("stow", (90, 90, 120, 30, 30, 0, None, 0, -10)),
+    ("travel", (45, 45, 120, 30, 30, 0, None, 0, -10)),
+    ("ground_pick", (None, None, 14.7, 108.7, 36.5, 0, None, None, None)),
+    ("carry", (None, None, 70.1, 65.5, 44.4, None, None, None, None)),
+    ("can_drop", (None, None, 57.1, 138.0, -75.1, None, None, None, None)),
+    ("stair_up", (50, 0, 60, 35, 80, None, None, None, None)),
+    ("stair_down", (0, 45, 60, 35, 80, None, None, None, None)),
+)
+# To full rate in a quarter of a second [E]; the drives in two thirds at the highest speed.
+START_UP = 0.25
+
+
+def presets():
+    lines = []
+    for index, (name, pose_deg) in enumerate(PRESETS, 1):
+        joints = "".join(f' J{j}_{"m" if j == 7 else "deg"}="{numbers([value])}"'
+                         for j, value in enumerate(pose_deg, 1) if value is not None)
+        lines.append(f'<eod:preset index="{index}" name="{name}"{joints}/>')
+    return lines
+
+
 def joint(name, kind, parent, child, axis=(1, 0, 0), limits=None, rate=None, custom=()):
     body = [f"<parent>{parent}</parent>", f"<child>{child}</child>"]
     if kind != "fixed":
@@ -88,7 +112,7 @@ def joint(name, kind, parent, child, axis=(1, 0, 0), limits=None, rate=None, cus
 def hinge(index, name, parent, child, limits_deg, rate_deg, home_deg, motions, axis=(1, 0, 0)):
     limits = [math.radians(a) for a in limits_deg]
     custom = [f'<eod:motion index="{index}" positive="{motions[0]}" negative="{motions[1]}" '
-              f'home_deg="{numbers([home_deg])}"/>']
+              f'home_deg="{numbers([home_deg])}" accel_deg_per_s2="{numbers([rate_deg / START_UP])}"/>']
     return joint(name, "revolute", parent, child, axis, limits, math.radians(rate_deg), custom)
 
 
@@ -247,7 +271,8 @@ def joints():
     lines += hinge(6, "J6_gripper_roll", "wrist", "gripper", (-180, 180), 30, 0, ("M15", "M16"),
                    (0, -1, 0))
     unit = 0.15  # metres a unit of Eq. 5
-    opening = ['<eod:motion index="7" positive="M17" negative="M18" home_m="0"/>',
+    opening = ['<eod:motion index="7" positive="M17" negative="M18" home_m="0" '
+               f'accel_mps2="{numbers([0.27 * unit / START_UP])}"/>',
                '<eod:follows joint="J7_gripper_opening" scale="1" hand="right"/>']
     limits, rate = (0, 0.8 * unit), 0.27 * unit
     lines += joint("J7_gripper_opening", "prismatic", "gripper", "right_hand", (1, 0, 0), limits, rate,
@@ -272,7 +297,8 @@ def model():
     roll, beam, left, right = gripper()
     pan, tilt = mast_camera()
     lines = ['<eod:chassis creep_mps="0.1" low_mps="0.3" high_mps="0.67" turn_deg_per_s="30" '
-             'step_up_m="0.45" fall_search_m="3"/>']
+             'accel_mps2="1" turn_accel_deg_per_s2="90" step_up_m="0.45" fall_search_m="3"/>',
+             '<eod:payload folded_kg="15" stretched_kg="8"/>', *presets()]
     lines += chassis().lines()
     lines += flipper("front_flipper", front).lines(xyz=(0, AXLE_Y, AXLE_Z))
     lines += flipper("rear_flipper", rear).lines(xyz=(0, -AXLE_Y, AXLE_Z), rpy_deg=(0, 0, 180))

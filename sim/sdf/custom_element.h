@@ -24,9 +24,13 @@ namespace eod::sim {
 ///   collision  <eod:proxy kind="clamp|bump|both"/>: stood on, run into, or both (default)
 ///   world      <eod:module id name frame size_x_m size_y_m start_heading_deg/>: a training area;
 ///              its models are posed relative_to its frame, whose origin is the start pad
-///   model      <eod:chassis creep_mps low_mps high_mps turn_deg_per_s step_up_m fall_search_m/>
-///   joint      <eod:motion index positive negative home_deg|home_m/>: this is J1..J9, and the two
-///              motions that move it; <eod:follows joint scale hand/>: moved by another joint
+///   model      <eod:chassis creep_mps low_mps high_mps turn_deg_per_s accel_mps2
+///              turn_accel_deg_per_s2 step_up_m fall_search_m/>; <eod:payload folded_kg
+///              stretched_kg/>: what the arm can carry; <eod:preset index name J1_deg .. J7_m ..
+///              />: a pose that the box can ask for, joints left out stay where they are
+///   joint      <eod:motion index positive negative home_deg|home_m accel_deg_per_s2|accel_mps2/>:
+///              this is J1..J9, and the two motions that move it; <eod:follows joint scale hand/>:
+///              moved by another joint
 ///   link       <eod:isector name method part motions pose coverage face hit classes> with
 ///              <eod:segment name start direction length d0 skin motions blocks enabled/>:
 ///              `motions` (loaded for) and `blocks` (may stop) are "M01 M03", "all" or "always";

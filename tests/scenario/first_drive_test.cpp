@@ -95,6 +95,7 @@ TEST(FirstDrive, PulledCableRampsTheRobotToAStandWithinThreeTenthsOfASecond) {
   Mission dut(kData / "firmware_emu/scripts/drive_one_metre.boxscript");
   const auto speed = [&dut] { return dut.rig().simulator().last().speed; };
   ASSERT_TRUE(dut.rig().RunUntil([&] { return speed() > 0.05; }, 30s));
+  dut.rig().RunFor(1s);  // up to speed
   const double full = speed();
   dut.rig().UnplugBox();
   // Rule 2: the motion goes on for 100 ms after the last frame (which is up to 20 ms old), and is

@@ -22,6 +22,17 @@ inline const RobotModel& TheRobot() {
   return robot;
 }
 
+/// The same without accelerations: it moves at full rate from the first step to the last.
+inline const RobotModel& TheSharpRobot() {
+  static const RobotModel robot = [] {
+    RobotModel sharp = TheRobot();
+    sharp.drive_acceleration = sharp.turn_acceleration = kAtOnce;
+    for (JointSpec& joint : sharp.joints) joint.acceleration = kAtOnce;
+    return sharp;
+  }();
+  return robot;
+}
+
 /// Only the isectors of these names: for tests of one line among many.
 inline RobotModel WithIsectors(RobotModel robot, const std::vector<std::string>& names) {
   std::erase_if(robot.isectors, [&](const IsectorSpec& isector) {

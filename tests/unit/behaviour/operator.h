@@ -34,7 +34,9 @@ struct Operator {
   Duration period;
 
   explicit Operator(const SimulatorConfig& config = {})
-      : dut(TheRobot(), TheWorld(), FirstDrive(), WithRules(config)), period(config.period) {
+      : Operator(TheSharpRobot(), config) {}
+  Operator(const RobotModel& robot, const SimulatorConfig& config)
+      : dut(robot, TheWorld(), FirstDrive(), WithRules(config)), period(config.period) {
     command.motion_permitted = true;
   }
 

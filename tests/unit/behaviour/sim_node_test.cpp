@@ -45,7 +45,8 @@ class SimNodeTest : public ::testing::Test {
   }
 
   void SetUp() override {
-    dut_ = std::make_unique<SimNode>(config_, TheRobot(), TheWorld(), FirstDrive(), lcm_, clock_);
+    dut_ =
+        std::make_unique<SimNode>(config_, TheSharpRobot(), TheWorld(), FirstDrive(), lcm_, clock_);
     command_.motion_permitted = 1;
     command_.speed_range = 1;
   }

@@ -61,7 +61,10 @@ TEST_F(RobotErrors, NumberOutOfRangeNamesWhatIsAllowed) {
 }
 
 TEST_F(RobotErrors, MissingJointIsNamed) {
-  robot_.Replace("<eod:motion index=\"5\" positive=\"M13\" negative=\"M14\" home_deg=\"30\"/>", "");
+  robot_.Replace(
+      "<eod:motion index=\"5\" positive=\"M13\" negative=\"M14\" home_deg=\"30\" "
+      "accel_deg_per_s2=\"80\"/>",
+      "");
   EXPECT_THAT(Load(), AllOf(StartsWith(robot_.PlaceOf("<model")), HasSubstr("8 joints carry"),
                             HasSubstr("9 x 2 + 4 = 22"), HasSubstr("missing: J5")));
 }
