@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <string_view>
 
 #include "sim/disposal/charge.h"
 #include "sim/segments/solid.h"
@@ -12,9 +12,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::array<const char*, 3> kIsectors = {"B5", "B6", "B7"};
+constexpr std::array<std::string_view, 3> kIsectors = {"B5", "B6", "B7"};
+constexpr std::array<std::string_view, kHandLineCount> kLines = {"l1", "l2", "l3", "l4", "l5",
+                                                                 "l6", "l7", "l8", "l9"};
 
-int FindSegment(const IsectorSpec& isector, const std::string& name) {
+int FindSegment(const IsectorSpec& isector, std::string_view name) {
   for (size_t i = 0; i < isector.segments.size(); ++i) {
     if (isector.segments[i].name == name) return static_cast<int>(i);
   }
@@ -40,7 +42,7 @@ HandLayout::HandLayout(const RobotModel& robot)
   for (size_t line = 0; line < kHandLineCount; ++line) {
     const int isector = FindIsector(robot, kIsectors[line / 3]);
     if (isector < 0) continue;
-    lines_[line] = {isector, FindSegment(robot.isectors[isector], "l" + std::to_string(line + 1))};
+    lines_[line] = {isector, FindSegment(robot.isectors[isector], kLines[line])};
   }
   // B6 sits at the tip of the right finger.
   const int tip = lines_[kL5].isector;

@@ -18,7 +18,7 @@ enum HandLineId : int { kL1, kL2, kL3, kL4, kL5, kL6, kL7, kL8, kL9, kHandLineCo
 /// What a line of the hand sees of a charge.
 struct HandLine {
   int charge = -1;  ///< index in ModuleModel::movables; -1: it meets none within its D
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();     ///< module's frame
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();    ///< module's frame
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outward
 };
 using HandLines = std::array<HandLine, kHandLineCount>;

@@ -63,8 +63,8 @@ SegmentSpec Lay(const ProbeLine& line, const ExplosiveSpec& charge, const Charge
   } else {
     const double inset = std::min(rules.probe_inset, charge.half_height / 2);
     const double side = line.looks == ProbeLine::Looks::kUp ? 1 : -1;
-    segment.start = line.out * charge.radius * out +
-                    side * (charge.half_height - inset) * Vector3d::UnitZ();
+    segment.start =
+        line.out * charge.radius * out + side * (charge.half_height - inset) * Vector3d::UnitZ();
     segment.direction = side * Vector3d::UnitZ();
     segment.d0 = inset + rules.probe_skin;
   }

@@ -41,10 +41,10 @@ struct VesselRules {
 
 /// The fire circuit (rule 7 of 6.3 of the design), the barrel and its shot.
 struct DisrupterRules {
-  double arm = 0;          ///< [s] key armed before buttons count
-  double both_within = 0;  ///< [s] between the presses of the buttons
-  double hold = 0;         ///< [s] both held
-  double time_out = 0;     ///< [s] armed without a shot
+  double arm = 0;                                    ///< [s] key armed before buttons count
+  double both_within = 0;                            ///< [s] between the presses of the buttons
+  double hold = 0;                                   ///< [s] both held
+  double time_out = 0;                               ///< [s] armed without a shot
   Eigen::Vector3d muzzle = Eigen::Vector3d::Zero();  ///< [m] in the wrist's frame; shoots along +Y
   double min_range = 0;                              ///< [m] nearer sets the charge off
   double max_range = 0;                              ///< [m] farther too ...

@@ -24,9 +24,10 @@ double Speed(const TomlTable& table, std::string_view key) { return table.Number
 
 GraspRules ReadGrasp(const TomlTable& table) {
   constexpr std::array<std::string_view, 13> kKeys = {
-      "pad_m",   "pad_half_height_m", "surface_tolerance_m", "opposed_below",
-      "across_deg", "relative_speed_mps", "tilt_deg",        "close_memory_s",
-      "steps",   "release_m",         "squeeze_s",           "slip_mps",
+      "pad_m",         "pad_half_height_m", "surface_tolerance_m",
+      "opposed_below", "across_deg",        "relative_speed_mps",
+      "tilt_deg",      "close_memory_s",    "steps",
+      "release_m",     "squeeze_s",         "slip_mps",
       "slip_s"};
   table.RejectUnknownKeys(kKeys);
   return {.pad = Length(table, "pad_m"),
@@ -68,8 +69,8 @@ VesselRules ReadVessel(const TomlTable& table) {
 
 DisrupterRules ReadDisrupter(const TomlTable& table) {
   constexpr std::array<std::string_view, 13> kKeys = {
-      "arm_s",      "both_within_s", "hold_s",      "time_out_s",   "muzzle_x_m",
-      "muzzle_y_m", "muzzle_z_m",    "min_range_m", "max_range_m",  "reach_m",
+      "arm_s",        "both_within_s", "hold_s",      "time_out_s",  "muzzle_x_m",
+      "muzzle_y_m",   "muzzle_z_m",    "min_range_m", "max_range_m", "reach_m",
       "aim_offset_m", "aim_angle_deg", "impulse_ns"};
   table.RejectUnknownKeys(kKeys);
   const double min_range = Length(table, "min_range_m");

@@ -1,4 +1,4 @@
-#include "sim/disposal/grip.h"
+#include "sim/disposal/grasp.h"
 
 #include <algorithm>
 #include <array>
@@ -37,10 +37,9 @@ bool IsHeldWell(const Grip& grip, const GraspRules& rules) {
 }
 
 bool GuardsHold(const Grip& grip, const GraspRules& rules) {
-  const bool on_surface =
-      std::all_of(kGraspingLines.begin(), kGraspingLines.end(), [&](int line) {
-        return IsOnCharge(grip.charge, grip.X_MO, grip.lines[line].point, rules.surface_tolerance);
-      });
+  const bool on_surface = std::all_of(kGraspingLines.begin(), kGraspingLines.end(), [&](int line) {
+    return IsOnCharge(grip.charge, grip.X_MO, grip.lines[line].point, rules.surface_tolerance);
+  });
   return on_surface && IsHeldWell(grip, rules) && grip.closing_age <= rules.close_memory &&
          grip.relative_speed < rules.relative_speed && grip.tilt < rules.tilt &&
          grip.mass <= grip.payload;

@@ -21,12 +21,12 @@ struct Grip {
   ExplosiveSpec charge;
   Eigen::Isometry3d X_MO = Eigen::Isometry3d::Identity();
   Eigen::Vector3d closing_M = Eigen::Vector3d::UnitX();  ///< unit, across the jaws
-  double gap = 0;                 ///< [m] xR - xL, between the pads' faces
-  double relative_speed = 0;      ///< [m/s] of the charge against the gripper
-  double tilt = 0;                ///< [rad] of the charge from how it rests
-  double mass = 0;                ///< [kg] of the charge
-  double payload = 0;             ///< [kg] at this reach
-  double closing_age = 0;         ///< [s] since closing was last commanded
+  double gap = 0;                                        ///< [m] xR - xL, between the pads' faces
+  double relative_speed = 0;  ///< [m/s] of the charge against the gripper
+  double tilt = 0;            ///< [rad] of the charge from how it rests
+  double mass = 0;            ///< [kg] of the charge
+  double payload = 0;         ///< [kg] at this reach
+  double closing_age = 0;     ///< [s] since closing was last commanded
 };
 
 /// The guards that say that it will not slip out: nothing ahead of the right tip, contacts opposed,
