@@ -11,6 +11,9 @@ namespace {
 
 using Eigen::Vector3d;
 
+// Durations are sums of steps: rounding must not make a step of difference.
+constexpr double kRounding = 1e-6;  // [s]
+
 constexpr std::array<int, 5> kGraspingLines = {kL1, kL2, kL3, kL5, kL9};
 
 /// l1 and l2 leave the charge on either side of the pad; their mean is what the pad presses on.
@@ -40,7 +43,8 @@ bool GuardsHold(const Grip& grip, const GraspRules& rules) {
   const bool on_surface = std::all_of(kGraspingLines.begin(), kGraspingLines.end(), [&](int line) {
     return IsOnCharge(grip.charge, grip.X_MO, grip.lines[line].point, rules.surface_tolerance);
   });
-  return on_surface && IsHeldWell(grip, rules) && grip.closing_age <= rules.close_memory &&
+  return on_surface && IsHeldWell(grip, rules) &&
+         grip.closing_age <= rules.close_memory + kRounding &&
          grip.relative_speed < rules.relative_speed && grip.tilt < rules.tilt &&
          grip.mass <= grip.payload;
 }
@@ -72,14 +76,14 @@ bool Grasp::Slip(bool too_heavy, const Eigen::Vector3d& down_G, double dt_s) {
   if (!is_slipping_) return false;
   slipped_s_ += dt_s;
   X_GO_.translation() += rules_.slip_speed * dt_s * down_G;
-  return slipped_s_ >= rules_.slip;
+  return slipped_s_ >= rules_.slip - kRounding;
 }
 
 void Grasp::Release() { Reset(); }
 
 bool Grasp::Squeeze(bool pressed, double dt_s) {
   squeezed_s_ = pressed && !is_held() ? squeezed_s_ + dt_s : 0;
-  return squeezed_s_ > rules_.squeeze;
+  return squeezed_s_ > rules_.squeeze + kRounding;
 }
 
 }  // namespace eod::sim

@@ -77,14 +77,23 @@ PadPress PressOn(const HandLayout& hand, std::span<const Eigen::Isometry3d> X_ML
   const Vector3d right = X_GM * X_ML[hand.right()].translation();
   const Solid solid = CylinderSolid{charge.radius, charge.half_height};
   const Eigen::Matrix3d R_OG = X_GO.linear().transpose();
+  int left_levels = 0, right_levels = 0;
   for (const double z : {-pad_half_height, 0.0, pad_half_height}) {
     const double y = AxisAtHeight(charge, X_GO, left.z() + z).y();
     const Vector3d p_G(0, std::clamp(y, left.y(), left.y() + hand.finger()), left.z() + z);
     const auto chord = ChordOf(solid, R_OG * (p_G - X_GO.translation()), R_OG.col(0));
     if (!chord) continue;
-    if (left.x() < chord->leave) press.left = std::max(press.left, left.x() - chord->enter);
-    if (right.x() > chord->enter) press.right = std::max(press.right, chord->leave - right.x());
+    if (left.x() < chord->leave) {
+      press.left += left.x() - chord->enter;
+      ++left_levels;
+    }
+    if (right.x() > chord->enter) {
+      press.right += chord->leave - right.x();
+      ++right_levels;
+    }
   }
+  press.left = std::max(0.0, press.left / std::max(1, left_levels));
+  press.right = std::max(0.0, press.right / std::max(1, right_levels));
   return press;
 }
 

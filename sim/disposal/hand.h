@@ -58,8 +58,9 @@ struct PadPress {
   double right = 0;
 };
 
-/// By the chords that lines across the jaws, through the pads, cut out of the exact cylinder. A
-/// charge outside of the hand, or beyond the tip, presses nothing.
+/// By the chords that lines across the jaws, through lower edge, middle and upper edge of the pads,
+/// cut out of the exact cylinder; their mean, for a pad gives way to a charge that leans. A charge
+/// outside of the hand, or beyond the tip, presses nothing.
 PadPress PressOn(const HandLayout& hand, std::span<const Eigen::Isometry3d> X_ML,
                  const ExplosiveSpec& charge, const Eigen::Isometry3d& X_MO,
                  double pad_half_height);
