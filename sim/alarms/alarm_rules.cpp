@@ -50,6 +50,12 @@ void AlarmRules::Update(const AlarmInputs& inputs, AlarmTable& table,
   table.Set(AlarmCode::kTilt, inputs.tilt > tilt_.alarm && !rolled_over, BitOf(Part::kChassis),
             changes);
   table.Set(AlarmCode::kRollover, rolled_over, BitOf(Part::kChassis), changes);
+
+  constexpr uint32_t kBomb = BitOf(Part::kHeldBomb);
+  const bool touched = inputs.charge_touched || inputs.charge_disturbed;
+  table.Set(AlarmCode::kBombTouched, touched, kBomb, changes);
+  table.Set(AlarmCode::kBombUnstable, inputs.charge_unstable, kBomb, changes);
+  table.Set(AlarmCode::kDetonation, inputs.detonated, kBomb, changes);
 }
 
 }  // namespace eod::sim

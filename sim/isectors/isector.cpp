@@ -24,6 +24,14 @@ void CheckLength(const std::string& name, double length) {
       fmt::format("isector {}: length {} m, needs 0 or more", name, length));
 }
 
+void CheckLine(const std::string& name, const IsectorSegment& line) {
+  CheckLength(name, line.length);
+  const double norm = line.direction.norm();
+  if (std::abs(norm - 1) <= kUnitTolerance) return;
+  throw std::invalid_argument(
+      fmt::format("isector {}: a direction of length {}, needs 1", name, norm));
+}
+
 }  // namespace
 
 StaleReading::StaleReading(const std::string& what, int64_t asked, int64_t cast)
@@ -41,13 +49,7 @@ Isector::Isector(std::string name, IsectorMethod method, std::vector<IsectorSegm
     throw std::invalid_argument(fmt::format("isector {}: {} segments, method {} has {}..{}", name_,
                                             segments_.size(), NameOf(method), fewest, most));
   }
-  for (const IsectorSegment& segment : segments_) {
-    CheckLength(name_, segment.length);
-    const double norm = segment.direction.norm();
-    if (std::abs(norm - 1) <= kUnitTolerance) continue;
-    throw std::invalid_argument(
-        fmt::format("isector {}: a direction of length {}, needs 1", name_, norm));
-  }
+  for (const IsectorSegment& segment : segments_) CheckLine(name_, segment);
   if (method == IsectorMethod::kTripod &&
       StandInOneLine(segments_[0].start, segments_[1].start, segments_[2].start)) {
     throw std::invalid_argument(fmt::format("isector {}: its legs stand in one line", name_));
@@ -63,6 +65,11 @@ void Isector::RequireMethod(IsectorMethod method) const {
 void Isector::SetLength(int segment, double metres) {
   CheckLength(name_, metres);
   segments_.at(segment).length = metres;
+}
+
+void Isector::SetSegment(int segment, const IsectorSegment& line) {
+  CheckLine(name_, line);
+  segments_.at(segment) = line;
 }
 
 Eigen::Isometry3d Isector::SegmentFrame() const {

@@ -73,6 +73,10 @@ class Isector {
   /// finite.
   void SetLength(int segment, double metres);
 
+  /// Another line in place of one; no allocation. Throws std::out_of_range, and
+  /// std::invalid_argument for a direction or a length that cannot be.
+  void SetSegment(int segment, const IsectorSegment& line);
+
   /// Whether it was cast in `step`, so that reading does not throw.
   bool IsFresh(int64_t step) const { return cast_step_ == step; }
   bool IsFresh(int64_t step, int segment) const { return results_.at(segment).step == step; }

@@ -4,14 +4,16 @@ namespace eod::sim {
 
 namespace {
 
+IsectorSegment LineOf(const SegmentSpec& segment) {
+  return {.start = segment.start,
+          .direction = segment.direction,
+          .length = segment.length,
+          .enabled = segment.enabled};
+}
+
 Isector MakeIsector(const IsectorSpec& spec, uint32_t module_bits) {
   std::vector<IsectorSegment> segments;
-  for (const SegmentSpec& segment : spec.segments) {
-    segments.push_back({.start = segment.start,
-                        .direction = segment.direction,
-                        .length = segment.length,
-                        .enabled = segment.enabled});
-  }
+  for (const SegmentSpec& segment : spec.segments) segments.push_back(LineOf(segment));
   Isector isector(spec.name, spec.method, std::move(segments));
   isector.set_class_mask(module_bits | spec.class_mask);
   isector.set_face_rule(spec.face_rule);
@@ -46,6 +48,13 @@ void IsectorSet::Cast(const World& world, std::span<const Eigen::Isometry3d> X_M
   }
   const bool stands = tripod_ >= 0 && isectors_[tripod_].IsFresh(step);
   ground_ = stands ? ReadTripod(isectors_[tripod_], step) : GroundFix{};
+}
+
+void IsectorSet::Reload(int isector) {
+  const IsectorSpec& spec = model_.isectors.at(isector);
+  for (size_t i = 0; i < spec.segments.size(); ++i) {
+    isectors_[isector].SetSegment(static_cast<int>(i), LineOf(spec.segments[i]));
+  }
 }
 
 /// Puts an isector where its link is, with the segments that `commanded` loads.

@@ -49,6 +49,10 @@ class IsectorSet {
   /// that bear look for a ground that they stand on.
   void Silence(MotionSet motions) { silenced_ = motions; }
 
+  /// Takes over the segments of an isector of the model, which have changed; as many as before. No
+  /// allocation. Throws std::out_of_range for one that is not there, and as Isector::SetSegment.
+  void Reload(int isector);
+
   /// The step of the last call; Isector::kNever before the first.
   int64_t step() const { return step_; }
   /// All segments cast in the last call, in the order of the robot file.

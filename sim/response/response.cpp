@@ -11,6 +11,12 @@ constexpr double kGrazing = 1e-6;
 
 constexpr MotionSet kGripperMotions = SetOf(kGripperOpen) | SetOf(kGripperClose);
 
+/// How much nearer than D a surface has to be before it stops a motion.
+double NearerThanD(const SegmentSpec& segment, const SegmentHit& hit) {
+  const bool is_charge = (hit.object_class & kBombObject) != 0;
+  return is_charge && TellsNearness(segment) ? segment.d0 - segment.skin : 0;
+}
+
 LinkSpec::Hand HandOf(const RobotModel& robot, int link) {
   for (int l = link; l >= 0; l = robot.links[l].parent) {
     if (robot.links[l].hand != LinkSpec::Hand::kNone) return robot.links[l].hand;
@@ -74,6 +80,7 @@ bool Judge::Shortens(const CastSegment& cast, int motion, const Eigen::Vector3d&
 
 SegmentContact Judge::JudgeAlone(const CastSegment& cast, const HeldContact* held) const {
   const SegmentSpec& segment = Segment(cast);
+  const double reached = cast.hit.range + NearerThanD(segment, cast.hit);
   SegmentContact contact;
   contact.threshold = held != nullptr ? held->threshold : segment.d0;
   ForEachMotion(MayBlock(cast) & demand_.commanded, [&](int motion) {
@@ -81,10 +88,10 @@ SegmentContact Judge::JudgeAlone(const CastSegment& cast, const HeldContact* hel
     const double own = DistanceThreshold(segment, v_M.norm(), law_);
     const double threshold = held != nullptr ? std::max(own, held->threshold) : own;
     contact.threshold = std::max(contact.threshold, threshold);
-    if (cast.hit.range < threshold && Shortens(cast, motion, v_M)) contact.blocks |= SetOf(motion);
+    if (reached < threshold && Shortens(cast, motion, v_M)) contact.blocks |= SetOf(motion);
   });
   // A contact that stood stays for its motions, pressed or not, until the way is free again.
-  if (held != nullptr && cast.hit.range < held->threshold) {
+  if (held != nullptr && reached < held->threshold) {
     ForEachMotion(held->blocks & ~demand_.commanded, [&](int motion) {
       if (Shortens(cast, motion, OriginVelocity(cast, motion, 1))) contact.blocks |= SetOf(motion);
     });
@@ -101,7 +108,8 @@ void Judge::JudgeTogether(const CastSegment& cast, MotionSet left_over,
   const double threshold = DistanceThreshold(Segment(cast), v_M.norm(), law_);
   contact.threshold = std::max(contact.threshold, threshold);
   contact.contact = cast.hit.range < contact.threshold;
-  if (cast.hit.range >= threshold || v_M.dot(cast.query.direction) <= kGrazing * v_M.norm()) return;
+  const double reached = cast.hit.range + NearerThanD(Segment(cast), cast.hit);
+  if (reached >= threshold || v_M.dot(cast.query.direction) <= kGrazing * v_M.norm()) return;
   ForEachMotion(left_over & MayBlock(cast), [&](int motion) {
     const Eigen::Vector3d own = OriginVelocity(cast, motion, demand_.rate[motion]);
     if (Shortens(cast, motion, own)) contact.blocks |= SetOf(motion);
@@ -163,6 +171,10 @@ double DistanceThreshold(const SegmentSpec& segment, double speed_mps, const Dis
   const double critical_speed = segment.skin / law.dt_s;
   const bool grows = law.with_factor && speed_mps > critical_speed;
   return grows ? segment.d0 + speed_mps * law.dt_s : segment.d0;
+}
+
+bool TellsNearness(const SegmentSpec& segment) {
+  return (segment.motions & kAllMotions & ~segment.blocks) != 0;
 }
 
 void Respond(const RobotModel& robot, const RobotState& state,

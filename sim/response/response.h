@@ -49,11 +49,17 @@ struct DistanceLaw {
 /// D = d0 up to V0 = skin/dt, d0 + v dt beyond (Eq. 2); v is the speed of the isector's own origin.
 double DistanceThreshold(const SegmentSpec& segment, double speed_mps, const DistanceLaw& law);
 
+/// A line that may not stop all motions which it is cast for: l3, l6 and l9 of the hand. They tell
+/// how near a thing between the hands is.
+bool TellsNearness(const SegmentSpec& segment);
+
 /// Judges the segments that were cast from the current pose against `demand`: a motion is blocked
 /// iff a segment in contact would get shorter by it. Each motion is judged alone, then all
 /// together. Only motions for which a segment is loaded (2.5), and which it `blocks`, can be
 /// blocked by it. Lines of a hand stop that hand alone while the gripper opens or closes; both
-/// hands stopped block the motion.
+/// hands stopped block the motion. A line that tells nearness is in contact with a charge at D, as
+/// with all else, but a charge stops motions no sooner than its `skin` (3.4: l3, l6 and l9 alone
+/// are no contact; it could not get between the hands otherwise).
 ///
 /// `response` is the one of the step before (its `held` contacts matter) and is overwritten. No
 /// allocation once its vectors have grown.

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "sim/rules/disposal_rules.h"
+
 namespace eod::sim {
 
 /// When the robot's tilt is told to the operator [rad].
@@ -15,6 +17,10 @@ struct TiltRules {
 struct Rules {
   std::filesystem::path file;
   TiltRules tilt;
+  GraspRules grasp;
+  ChargeRules charge;
+  VesselRules vessel;
+  DisrupterRules disrupter;
 };
 
 /// Reads and checks the rules. Throws std::runtime_error with one line "FILE:LINE: …".

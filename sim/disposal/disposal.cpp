@@ -1,0 +1,315 @@
+#include "sim/disposal/disposal.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/disposal/charge.h"
+
+namespace eod::sim {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kGravity = 9.80665;  // [m/s^2]
+
+Vector3d DownIn(const Eigen::Isometry3d& X_MG) {
+  return -X_MG.linear().transpose() * Vector3d::UnitZ();
+}
+
+int FirstOf(int a, int b) { return a >= 0 ? a : b; }
+
+}  // namespace
+
+Disposal::Disposal(RobotModel& robot, int probe, const ModuleModel& module, const Rules& rules,
+                   GraspMode mode, uint64_t seed)
+    : robot_(robot),
+      probe_(probe),
+      module_(module),
+      rules_(rules),
+      hand_(robot),
+      wrist_(FindLink(robot, "wrist")),
+      grasp_(rules.grasp, mode),
+      push_(robot, module, rules.charge),
+      watch_(module, rules.charge, rules.vessel),
+      circuit_(rules.disrupter, seed),
+      touched_(module.movables.size()) {
+  memory_.surroundings.Reserve();
+  Reset();
+}
+
+void Disposal::Reset() {
+  grasp_.Reset();
+  push_.Reset();
+  watch_.Reset();
+  circuit_.Reset();
+  FoldHeldProbe(robot_.isectors[probe_]);
+  X_MG_before_.reset();
+  closing_age_ = rules_.grasp.close_memory + 1;
+  was_released_ = opening_ = too_heavy_ = false;
+  fall_speed_ = 0;
+  std::fill(touched_.begin(), touched_.end(), 0);
+  left_charge_ = right_charge_ = newly_held_ = -1;
+  judged_.reset();
+  verdict_ = {};
+  orders_ = {};
+  status_ = {};
+  FillStatus();
+}
+
+bool Disposal::Ignores(int body) const {
+  if (grasp_.is_held() && body == grasp_.charge()) return true;
+  const ChargeState* charge = watch_.Find(body);
+  return charge != nullptr && charge->state == BombState::kExploded;
+}
+
+double Disposal::held_mass() const {
+  return grasp_.is_held() ? module_.movables[grasp_.charge()].mass : 0;
+}
+
+const MotionVerdict& Disposal::Judge(const BeforeMotion& step, Response& response) {
+  const MotionSet commanded = step.demand->commanded;
+  const bool closing = Contains(commanded, kGripperClose);
+  opening_ = Contains(commanded, kGripperOpen);
+  closing_age_ = closing ? 0 : closing_age_ + step.dt_s;
+  was_released_ = was_released_ && !closing;
+  newly_held_ = -1;
+  judged_.reset();
+  verdict_ = {};
+
+  NoteTouches(step, response);
+  const HandLines lines =
+      hand_.Read(step.segments, response.contacts, module_, step.movable_of_object);
+  StopHands(step, lines, response);
+  if (hand_.has_hands() && !grasp_.is_held()) TryGrasp(step, lines);
+  if (grasp_.is_held()) {
+    too_heavy_ = held_mass() > step.payload;
+    verdict_.left_hand_stopped = step.state->left_opening <= grasp_.left_opening();
+    verdict_.right_hand_stopped = step.state->right_opening <= grasp_.right_opening();
+    CheckRim(step, response);
+  }
+  const bool pressed = closing && left_charge_ >= 0 && left_charge_ == right_charge_;
+  if (grasp_.Squeeze(pressed, step.dt_s)) {
+    judged_ = Detonation{left_charge_, DetonationCause::kSqueezed};
+  }
+  verdict_.let_through =
+      push_.Update(*step.demand, step.segments, response, step.movable_of_object, step.dt_s);
+  for (int motion = 0; motion < kMotionCount; ++motion) {
+    verdict_.most[motion] = push_.RateOf(motion, step.demand->speed_range);
+  }
+  status_.grasp = JudgeHands(lines, closing);
+  if (hand_.has_hands()) X_MG_before_ = step.X_ML[hand_.gripper()];
+  return verdict_;
+}
+
+void Disposal::NoteTouches(const BeforeMotion& step, const Response& response) {
+  std::fill(touched_.begin(), touched_.end(), 0);
+  for (size_t i = 0; i < step.segments.size(); ++i) {
+    const CastSegment& cast = step.segments[i];
+    if (!response.contacts[i].contact) continue;
+    if (TellsNearness(robot_.isectors[cast.isector].segments[cast.segment])) continue;
+    const int movable = MovableOf(step.movable_of_object, cast.hit.object);
+    if (movable >= 0) touched_[movable] = 1;
+  }
+}
+
+/// Respond stops a hand whose lines are inside a charge. One that presses it with another part of
+/// its pad has to stop too, when the pad yields no more.
+void Disposal::StopHands(const BeforeMotion& step, const HandLines& lines, Response& response) {
+  constexpr MotionSet kClose = SetOf(kGripperClose);
+  left_charge_ = right_charge_ = -1;
+  if (!Contains(step.demand->commanded, kGripperClose) || grasp_.is_held()) return;
+  if ((response.left_hand_blocked & kClose) != 0) {
+    left_charge_ = FirstOf(lines[kL1].charge, lines[kL2].charge);
+  }
+  if ((response.right_hand_blocked & kClose) != 0) {
+    right_charge_ = FirstOf(lines[kL4].charge, lines[kL5].charge);
+  }
+  for (const ChargeState& charge : watch_.charges()) {
+    const BodyState& body = step.bodies[charge.body];
+    if (body.is_gone) continue;
+    const PadPress press =
+        PressOn(hand_, step.X_ML, Explosive(charge.body), body.X_MO, rules_.grasp.pad_half_height);
+    if (press.left > 0 || press.right > 0) touched_[charge.body] = 1;
+    if (press.left >= rules_.grasp.pad) {
+      left_charge_ = charge.body;
+      response.left_hand_blocked |= kClose;
+      response.contact_parts |= 1u << static_cast<int>(Part::kLeftHand);
+    }
+    if (press.right >= rules_.grasp.pad) {
+      right_charge_ = charge.body;
+      response.right_hand_blocked |= kClose;
+      response.contact_parts |= 1u << static_cast<int>(Part::kRightHand);
+    }
+  }
+  response.blocked |= response.left_hand_blocked & response.right_hand_blocked;
+}
+
+void Disposal::TryGrasp(const BeforeMotion& step, const HandLines& lines) {
+  // Hands that open take hold of nothing.
+  const int candidate = opening_ ? -1 : GraspCandidate(lines);
+  if (candidate < 0) {
+    grasp_.Close(-1, nullptr);
+    return;
+  }
+  const BodyState& body = step.bodies[candidate];
+  const Eigen::Isometry3d& X_MG = step.X_ML[hand_.gripper()];
+  const Vector3d across_M =
+      step.X_ML[hand_.right()].translation() - step.X_ML[hand_.left()].translation();
+  const Grip grip{.lines = lines,
+                  .charge = Explosive(candidate),
+                  .X_MO = body.X_MO,
+                  .closing_M = X_MG.linear().col(0),
+                  .gap = across_M.dot(X_MG.linear().col(0)),
+                  .relative_speed = RelativeSpeed(step, body),
+                  .tilt = watch_.Find(candidate)->tilt,
+                  .mass = module_.movables[candidate].mass,
+                  .payload = step.payload,
+                  .closing_age = closing_age_};
+  if (!grasp_.Close(candidate, &grip)) return;
+  grasp_.Hold(candidate, X_MG.inverse() * body.X_MO, step.state->left_opening,
+              step.state->right_opening, IsHeldWell(grip, rules_.grasp));
+  newly_held_ = candidate;
+  left_charge_ = right_charge_ = -1;
+  ShapeProbe(DownIn(X_MG));
+}
+
+/// Of a point of the gripper, as it came to where it is.
+Vector3d Disposal::GripperVelocity(const BeforeMotion& step, const Vector3d& p_M) const {
+  if (!X_MG_before_) return Vector3d::Zero();
+  const Eigen::Isometry3d& X_MG = step.X_ML[hand_.gripper()];
+  return (p_M - *X_MG_before_ * (X_MG.inverse() * p_M)) / step.dt_s;
+}
+
+double Disposal::RelativeSpeed(const BeforeMotion& step, const BodyState& body) const {
+  return (body.v_M - GripperVelocity(step, body.X_MO.translation())).norm();
+}
+
+/// The held charge against a vessel: what counts is how fast it came up against it.
+void Disposal::CheckRim(const BeforeMotion& step, const Response& response) {
+  for (size_t i = 0; i < step.segments.size(); ++i) {
+    const CastSegment& cast = step.segments[i];
+    if (cast.isector != probe_ || !response.contacts[i].contact ||
+        (cast.hit.object_class & kContainmentVessel) == 0) {
+      continue;
+    }
+    const double approach = GripperVelocity(step, cast.query.start).dot(cast.query.direction);
+    if (approach > rules_.vessel.rim_strike) {
+      judged_ = Detonation{grasp_.charge(), DetonationCause::kRimStrike};
+    }
+  }
+}
+
+GraspState Disposal::JudgeHands(const HandLines& lines, bool closing) const {
+  if (grasp_.is_held()) return GraspState::kGrasped;
+  if (was_released_) return GraspState::kReleased;
+  const bool left = left_charge_ >= 0 || lines[kL1].charge >= 0 || lines[kL2].charge >= 0;
+  const bool right = right_charge_ >= 0 || lines[kL4].charge >= 0 || lines[kL5].charge >= 0;
+  if (left && right) return GraspState::kContactBoth;
+  if (left) return GraspState::kContactLeft;
+  if (right) return GraspState::kContactRight;
+  return closing ? GraspState::kClosing : GraspState::kOpen;
+}
+
+const DisposalStatus& Disposal::Advance(const AfterMotion& step) {
+  orders_ = {};
+  orders_.hold = newly_held_;
+  if (newly_held_ >= 0) orders_.reload_isector = probe_;
+  if (grasp_.is_held()) Carry(step);
+  Watch(step);
+  if (judged_) Detonate(judged_->body, judged_->cause, step);
+  if (circuit_.Advance(step.panel, step.robot_is_still, step.step, step.dt_s)) Shoot(step);
+  FillStatus();
+  return status_;
+}
+
+void Disposal::Carry(const AfterMotion& step) {
+  const Eigen::Isometry3d& X_MG = step.X_ML[hand_.gripper()];
+  const bool slipped_out = grasp_.Slip(too_heavy_, DownIn(X_MG), step.dt_s);
+  if (slipped_out ||
+      grasp_.IsLetGo(opening_, step.state->left_opening, step.state->right_opening)) {
+    LetGo();
+    return;
+  }
+  if (grasp_.is_slipping()) {
+    ShapeProbe(DownIn(X_MG));
+    orders_.reload_isector = probe_;
+    status_.grasp = GraspState::kSlipping;
+  }
+  orders_.move_held = grasp_.charge();
+  orders_.X_MO = X_MG * grasp_.X_GO();
+}
+
+void Disposal::LetGo() {
+  orders_.release = grasp_.charge();
+  orders_.move_held = -1;
+  orders_.reload_isector = probe_;
+  FoldHeldProbe(robot_.isectors[probe_]);
+  grasp_.Release();
+  was_released_ = true;
+  status_.grasp = GraspState::kReleased;
+}
+
+void Disposal::ShapeProbe(const Vector3d& down_G) {
+  ShapeHeldProbe(Explosive(grasp_.charge()), grasp_.X_GO(), down_G, rules_.charge,
+                 robot_.isectors[probe_]);
+}
+
+void Disposal::Watch(const AfterMotion& step) {
+  const auto found = watch_.Update(step.bodies, touched_, grasp_.charge());
+  if (found) Detonate(found->body, found->cause, step);
+  // A robot that comes down hard drops what it holds as deep.
+  const double hard = std::sqrt(2 * kGravity * rules_.charge.drop);
+  const bool came_down = fall_speed_ > hard && step.state->fall_speed == 0;
+  fall_speed_ = step.state->fall_speed;
+  if (grasp_.is_held() && (step.rolled_over || came_down)) {
+    Detonate(grasp_.charge(), DetonationCause::kCrushed, step);
+  }
+}
+
+void Disposal::Shoot(const AfterMotion& step) {
+  if (wrist_ < 0 || step.world == nullptr) return;
+  const auto shot = ShotFrom(BarrelPose(step.X_ML[wrist_], rules_.disrupter), *step.world, module_,
+                             step.bodies, step.movable_of_object, rules_.disrupter, memory_);
+  if (!shot) return;
+  if (!shot->disrupted) {
+    Detonate(shot->body, DetonationCause::kShot, step);
+    return;
+  }
+  watch_.Disrupt(shot->body);
+  orders_.push = shot->body;
+  orders_.impulse_M = shot->impulse_M;
+  orders_.p_M = shot->p_M;
+}
+
+/// The first blast is the last: what it does to other charges is of no interest.
+void Disposal::Detonate(int body, DetonationCause cause, const AfterMotion& step) {
+  if (status_.detonation != DetonationCause::kNone) return;
+  const ChargeState& charge = *watch_.Find(body);
+  if (charge.state == BombState::kDisrupted) return;
+  if (grasp_.is_held() && grasp_.charge() == body) LetGo();
+  status_.detonation = cause;
+  status_.detonation_point = step.bodies[body].X_MO.translation();
+  const double distance = (status_.detonation_point - step.state->position).norm();
+  status_.robot_destroyed = !charge.in_vessel && distance < rules_.charge.lethal;
+  orders_.remove = body;
+  watch_.Explode(body);
+}
+
+void Disposal::FillStatus() {
+  status_.held_body = grasp_.charge();
+  const ChargeState* main = watch_.main();
+  status_.bomb = main == nullptr ? BombState::kNone : main->state;
+  status_.bomb_body = main == nullptr ? -1 : main->body;
+  status_.bomb_tilt = main == nullptr ? 0 : main->tilt;
+  status_.touched = status_.disturbed = status_.unstable = false;
+  for (const ChargeState& charge : watch_.charges()) {
+    status_.touched = status_.touched || charge.touched;
+    status_.disturbed = status_.disturbed || charge.disturbed;
+    status_.unstable = status_.unstable || charge.unstable;
+  }
+  status_.fire = circuit_.state();
+  status_.fire_nonce = circuit_.nonce();
+  status_.circuit_continuity = circuit_.continuity();
+}
+
+}  // namespace eod::sim
