@@ -109,9 +109,9 @@ def markings(folder):
         scenery.pave("yellow", YELLOW_LINE, (x - 1.3, x + 1.3), (16.1, 16.16), 2)
     plates, posts, text = scenery.of("white", WHITE), scenery.of("metal", METAL), scenery.of("black", BLACK)
     for letter, _, _, _, x, y, _ in CHARGES:
-        posts.box((x - 1.73, x - 1.67), (y + 1.22, y + 1.28), (0, 1.3), without=("-z",))
-        plates.box((x - 1.95, x - 1.45), (y + 1.19, y + 1.22), (0.90, 1.40))
-        write_text(letter, (x - 1.70, y + 1.19, 1.15), 0.30, 0.055, text)
+        posts.box((x - 1.33, x - 1.27), (y + 1.22, y + 1.28), (0, 1.3), without=("-z",))
+        plates.box((x - 1.55, x - 1.05), (y + 1.19, y + 1.22), (0.90, 1.40))
+        write_text(letter, (x - 1.30, y + 1.19, 1.15), 0.30, 0.055, text)
     return scenery.link()
 
 

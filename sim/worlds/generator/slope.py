@@ -176,7 +176,7 @@ def markings(folder):
     scenery = Scenery("slope", folder)
     start_pad(scenery)
     lanes = [4 * k for k in range(-11, 12)]
-    ditch = {x for x, _ in DITCHES}
+    ditch, twisted = {x for x, _ in DITCHES}, {32 + 4 * i for i in range(len(SIDES_DEG))}
     for y in (4, 22):
         scenery.pave("asphalt", ASPHALT, (-47, 47), (y - 1.2, y + 1.2), 1)
         scenery.pave("line", LINE, (-47, 47), (y + 1.1, y + 1.18), 2)
@@ -187,13 +187,14 @@ def markings(folder):
     signs.update({4 * (i + 1): str(angle) for i, angle in enumerate(PLANES_DEG)})
     signs.update({x: str(round(100 * size)) for x, size in (*BARS, *DITCHES)})
     for x in lanes:
-        stretches = ((5.2, 7.75), (9.25, 20.8)) if x in ditch else ((5.2, 20.8),)
-        for y in stretches:
-            scenery.pave("asphalt", ASPHALT, (x - 1.2, x + 1.2), y, 1)
+        gap = (7.75, 9.25) if x in ditch else (START, START + 8) if x in twisted else (20.8, 20.8)
+        for y in ((5.2, gap[0]), (gap[1], 20.8)):
+            if y[1] > y[0]:
+                scenery.pave("asphalt", ASPHALT, (x - 1.2, x + 1.2), y, 1)
         scenery.pave("yellow", YELLOW_LINE, (x - 1.0, x + 1.0), (6.45, 6.55), 2)
         for side in (-1, 1):
             scenery.pave("line", LINE, sorted((x + side * 1.1, x + side * 1.18)), (5.3, 7.7), 2)
-        sign = x - 2.0
+        sign = x - 1.7
         posts.box((sign - 0.03, sign + 0.03), (7.22, 7.28), (0, 1.4), without=("-z",))
         plates.box((sign - 0.38, sign + 0.38), (7.19, 7.22), (0.95, 1.45))
         write_text(signs[x], (sign, 7.19, 1.20), 0.28, 0.05, text)

@@ -104,11 +104,12 @@ def _unit(v):
     return tuple(c / length for c in v)
 
 
-# Strokes of a digit on a field 1 wide and 2 high, as on a seven-segment display.
+# Strokes of a sign on a field 1 wide and 2 high, as on a seven-segment display; one more for the M.
 _STROKES = {"a": ((0, 2), (1, 2)), "b": ((1, 1), (1, 2)), "c": ((1, 0), (1, 1)), "d": ((0, 0), (1, 0)),
-            "e": ((0, 0), (0, 1)), "f": ((0, 1), (0, 2)), "g": ((0, 1), (1, 1))}
+            "e": ((0, 0), (0, 1)), "f": ((0, 1), (0, 2)), "g": ((0, 1), (1, 1)),
+            "m": ((0.5, 1), (0.5, 2))}
 _DIGITS = {"0": "abcdef", "1": "bc", "2": "abged", "3": "abgcd", "4": "fgbc", "5": "afgcd", "6": "afgedc",
-           "7": "abc", "8": "abcdefg", "9": "abcdfg", "S": "afgcd", "M": "efabc", "L": "fed", "H": "fegbc"}
+           "7": "abc", "8": "abcdefg", "9": "abcdfg", "S": "afgcd", "M": "efabcm", "L": "fed", "H": "fegbc"}
 
 
 def write_text(text, centre, height, stroke, solid):
