@@ -38,7 +38,8 @@ double SignedRate(const RobotModel& robot, const MotionDemand& demand, int posit
 Simulator::Place::Place(const RobotModel& robot, const WorldModel& all, const ModuleModel& model,
                         const Scenario& scenario, const SimulatorConfig& config)
     : module(&model),
-      world(config.rules.module_masks ? BuildWorld(model) : BuildWorld(WithAllModules(all, model))),
+      world(std::make_unique<BuiltWorld>(config.rules.module_masks ? model
+                                                                   : WithAllModules(all, model))),
       isectors(robot, model.class_bit, config.coverage, config.rules),
       support(robot, model.class_bit, Coverage::kPaper,
               {.module_masks = config.rules.module_masks}),

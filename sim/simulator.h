@@ -15,6 +15,7 @@
 #include "sim/response/response.h"
 #include "sim/robot/robot_model.h"
 #include "sim/task/task.h"
+#include "sim/world/built_world.h"
 #include "sim/world/world_model.h"
 
 namespace eod::sim {
@@ -77,7 +78,7 @@ class Simulator {
     Place(const RobotModel& robot, const WorldModel& all, const ModuleModel& model,
           const Scenario& scenario, const SimulatorConfig& config);
     const ModuleModel* module;
-    std::unique_ptr<World> world;
+    std::unique_ptr<BuiltWorld> world;
     IsectorSet isectors;  ///< all that the commanded motions load
     IsectorSet support;   ///< TRIPOD alone, at the pose after the motion
     Task task;

@@ -87,6 +87,24 @@ Mesh SphereMesh(double radius, int rings, int sides) {
   return mesh;
 }
 
+Mesh CapsuleMesh(double radius, double length, int rings, int sides) {
+  // An even number of bands has a ring at the equator: there each half is pulled out.
+  Mesh mesh = SphereMesh(radius, rings + rings % 2, sides);
+  const auto lift = [half = length / 2](double centre_z, Vector3d& corner) {
+    corner.z() += centre_z > 0 ? half : -half;
+  };
+  for (Triangle& triangle : mesh) {
+    const double centre_z = triangle[0].z() + triangle[1].z() + triangle[2].z();
+    for (Vector3d& corner : triangle) lift(centre_z, corner);
+  }
+  for (int i = 0; i < sides; ++i) {
+    AddQuad(OnCircle(radius, i, sides, -length / 2), OnCircle(radius, i + 1, sides, -length / 2),
+            OnCircle(radius, i + 1, sides, length / 2), OnCircle(radius, i, sides, length / 2),
+            mesh);
+  }
+  return mesh;
+}
+
 Mesh PlaneMesh(double size_x, double size_y, double cell) {
   const int columns = std::max(1, static_cast<int>(std::ceil(size_x / cell - 1e-9)));
   const int rows = std::max(1, static_cast<int>(std::ceil(size_y / cell - 1e-9)));

@@ -23,6 +23,9 @@ Mesh ConeMesh(double radius, double length, int sides);
 /// Sphere of `rings` >= 2 bands and `sides` >= 3 meridians, inscribed.
 Mesh SphereMesh(double radius, int rings, int sides);
 
+/// Capsule along Z, inscribed like the sphere; `length` is that of its straight part.
+Mesh CapsuleMesh(double radius, double length, int rings, int sides);
+
 /// Rectangle in the XY plane facing +Z, cut into cells no longer than `cell` [m].
 Mesh PlaneMesh(double size_x, double size_y, double cell);
 

@@ -51,6 +51,15 @@ void ReadLinkContents(const SdfLink& link, int index, RobotModel& model) {
     }
     model.isectors.push_back(ReadIsector(custom, index, model));
   }
+  for (const SdfCollision& collision : link.collisions) {
+    if (!collision.solid) {
+      FailAt(model.file, collision.line,
+             fmt::format("collision {} of link {}: allowed are box, cylinder, sphere and capsule",
+                         collision.name, link.name));
+    }
+    model.links[static_cast<size_t>(index)].solids.push_back(
+        {.shape = Shape::Of(*collision.solid), .X_LS = collision.solid->X_OP});
+  }
   for (const SdfCamera& camera : link.cameras) {
     model.cameras.push_back(ToCameraSpec(camera, index, model.file));
   }

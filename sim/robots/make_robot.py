@@ -28,7 +28,7 @@ TAIL_LAMP = Surface((0.75, 0.05, 0.03), "plain", 1.0, 0.6)
 AXLE_Y, AXLE_Z, TRACK_X = 0.375, 0.20, 0.30
 FLIPPER, WHEEL = 0.40, 0.10
 BIG_ARM, SMALL_ARM = 0.75, 0.65
-BEAM_Y, FINGER = 0.15, 0.16
+BEAM_Y, FINGER, PAD_DEPTH = 0.15, 0.16, 0.005
 
 AXES = {"+X": (1, 0, 0), "-X": (-1, 0, 0), "+Y": (0, 1, 0), "-Y": (0, -1, 0), "+Z": (0, 0, 1),
         "-Z": (0, 0, -1)}
@@ -123,12 +123,26 @@ def chassis():
     link.visual(cylinder(0.012, 0.05), STEEL, (0.16, -0.38, 0.56))
     link.visual(cylinder(0.004, 0.60), PAD, (0.16, -0.38, 0.86))
     link.visual(sphere(0.010), ORANGE, (0.16, -0.38, 1.16))
+    chassis_solids(link)
     link.parts += chassis_isectors()
     link.parts += camera("drive", 75, (0, 0.45, 0.40))
     rear = camera("rear", 75, (0, -0.45, 0.40))
     link.parts += [line.replace(pose((0, -0.45, 0.40), (0, 0, 90))[0],
                                 pose((0, -0.45, 0.40), (0, 0, -90))[0]) for line in rear]
     return link
+
+
+def chassis_solids(link):
+    """What pushes movable things: hull, tracks, shoulder, electronics, mast."""
+    link.collision(box(0.47, 0.90, 0.33), (0, 0, 0.28))
+    for side in (-1, 1):
+        link.collision(box(0.10, 2 * AXLE_Y, 0.20), (side * TRACK_X, 0, AXLE_Z))
+        link.collision(box(0.10, 0.50, 0.12), (side * TRACK_X, 0, 0.06))
+        for end in (-1, 1):
+            link.collision(cylinder(0.10, 0.10), (side * TRACK_X, end * AXLE_Y, AXLE_Z), ALONG_X)
+    link.collision(box(0.22, 0.22, 0.17), (0, -0.10, 0.53))
+    link.collision(box(0.14, 0.24, 0.10), (0.16, -0.30, 0.495))
+    link.collision(box(0.05, 0.05, 0.66), (-0.20, -0.25, 0.78))
 
 
 def chassis_isectors():
@@ -163,6 +177,9 @@ def flipper(name, isectors):
         link.visual(cylinder(0.06, 0.11), STEEL, (x, FLIPPER, 0), ALONG_X)
         link.visual(cylinder(0.025, 0.12), ORANGE, (x, FLIPPER, 0), ALONG_X)
     link.visual(cylinder(0.025, 0.52), GREY, (0, 0, 0), ALONG_X)
+    for x in (-TRACK_X, TRACK_X):
+        link.collision(box(0.07, FLIPPER, 0.17), (x, FLIPPER / 2, 0))
+        link.collision(cylinder(WHEEL, 0.11), (x, FLIPPER, 0), ALONG_X)
     link.parts += isectors
     return link
 
@@ -174,15 +191,21 @@ def arms():
     big.visual(cylinder(0.065, 0.13), GREY, (0, BIG_ARM, 0), ALONG_X)
     big.visual(cylinder(0.022, 0.34), GREY, (0, 0.22, -0.085), ALONG_Y)
     big.visual(cylinder(0.012, 0.30), STEEL, (0, 0.50, -0.085), ALONG_Y)
+    big.collision(box(0.09, 0.66, 0.165), (0, 0.36, -0.0275))
+    big.collision(cylinder(0.065, 0.13), (0, BIG_ARM, 0), ALONG_X)
     small = Link("small_arm")
     small.visual(box(0.07, 0.56, 0.08), OLIVE, (0, 0.32, 0))
     small.visual(box(0.074, 0.10, 0.082), HAZARD, (0, 0.54, 0))
     small.visual(cylinder(0.016, 0.40), GREY, (0.048, 0.30, 0.02), ALONG_Y)
     small.visual(cylinder(0.045, 0.10), GREY, (0, SMALL_ARM, 0), ALONG_X)
+    small.collision(box(0.10, 0.56, 0.08), (0.014, 0.32, 0))
+    small.collision(cylinder(0.045, 0.10), (0, SMALL_ARM, 0), ALONG_X)
     wrist = Link("wrist")
     wrist.visual(box(0.06, 0.07, 0.06), OLIVE_DARK, (0, 0.035, 0))
     wrist.visual(box(0.045, 0.05, 0.04), GREY, (0, 0.02, 0.062))
     wrist.visual(cylinder(0.014, 0.012), LENS, (0, 0.05, 0.065), ALONG_Y)
+    wrist.collision(box(0.06, 0.07, 0.06), (0, 0.035, 0))
+    wrist.collision(box(0.045, 0.07, 0.04), (0, 0.03, 0.062))
     wrist.parts += camera("gripper", 60, (0, 0.055, 0.065))
     return [big, small, wrist]
 
@@ -196,9 +219,11 @@ def gripper():
     roll = Link("gripper")
     roll.visual(cylinder(0.035, 0.05), STEEL, (0, 0.085, 0), ALONG_Y)
     roll.visual(box(0.06, 0.05, 0.045), GREY, (0, 0.10, 0))
+    roll.collision(box(0.06, 0.07, 0.06), (0, 0.09, 0))
     beam = Link("crossbeam")
     beam.visual(box(0.30, 0.022, 0.035), GREY, (0, -0.012, 0))
     beam.visual(box(0.30, 0.006, 0.037), HAZARD, (0, -0.024, 0))
+    beam.collision(box(0.30, 0.027, 0.037), (0, -0.0145, 0))
     beam.parts += isector("B7", "bump", "crossbeam", arm,
                           [segment("l7", "-X", 0.14, 0.02), segment("l8", "+X", 0.14, 0.02),
                            segment("l9", "+Y", 0.14, 0.02, blocks=but_grip)])
@@ -208,6 +233,10 @@ def gripper():
         hand.visual(box(0.014, FINGER + 0.04, 0.045), STEEL, (side * 0.013, FINGER / 2 - 0.02, 0))
         hand.visual(box(0.006, FINGER - 0.02, 0.040), PAD, (side * 0.003, FINGER / 2 + 0.01, 0))
         hand.visual(box(0.03, 0.05, 0.03), GREY, (side * 0.02, -0.02, 0))
+        # The pads are soft: what presses them in by less than their thickness is not shoved.
+        hand.collision(box(0.02 - PAD_DEPTH, FINGER + 0.02, 0.045),
+                       (side * (0.02 + PAD_DEPTH) / 2, FINGER / 2 - 0.01, 0))
+        hand.collision(box(0.035 - PAD_DEPTH, 0.05, 0.03), (side * (0.035 + PAD_DEPTH) / 2, -0.02, 0))
         hands.append(hand)
     hands[0].parts += isector("B5", "bump", "left_hand", arm,
                               [segment("l1", "+Y", 0.085, 0.02), segment("l2", "-Y", 0.085, 0.02),
@@ -228,11 +257,13 @@ def mast_camera():
     pan.visual(cylinder(0.035, 0.04), GREY, (0, 0, -0.07))
     pan.visual(box(0.02, 0.05, 0.12), GREY, (-0.065, 0, -0.01))
     pan.visual(box(0.13, 0.05, 0.015), GREY, (-0.01, 0, -0.055))
+    pan.collision(box(0.15, 0.06, 0.14), (-0.01, 0, -0.02))
     tilt = Link("camera_tilt")
     tilt.visual(box(0.10, 0.13, 0.085), OLIVE_DARK, (0, -0.005, 0))
     tilt.visual(cylinder(0.030, 0.02), LENS, (0, 0.062, 0), ALONG_Y)
     tilt.visual(box(0.11, 0.15, 0.008), GREY, (0, 0.01, 0.05))
     tilt.visual(cylinder(0.018, 0.02), LAMP, (0.07, 0.05, 0), ALONG_Y)
+    tilt.collision(box(0.11, 0.15, 0.10), (0, 0.005, 0.004))
     tilt.parts += camera("mast", 60, (0, 0.08, 0))
     return [pan, tilt]
 

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "sim/geometry/mesh.h"
+#include "sim/geometry/primitive.h"
 #include "sim/geometry/visual.h"
 #include "sim/sdf/custom_element.h"
 
@@ -23,7 +24,10 @@ struct SdfVisual {
 
 struct SdfCollision {
   std::string name;
-  Mesh triangles;     ///< in the link's frame
+  int line = 0;
+  Mesh triangles;  ///< in the link's frame
+  /// What the triangles were cut from, in the link's frame; none of plane, mesh and cone.
+  std::optional<Primitive> solid;
   bool clamp = true;  ///< TRIPOD and HAT stand on it
   bool bump = true;   ///< BUMP and LOS run into it
 };

@@ -39,7 +39,7 @@ CustomElement ToCustom(const sdf::ElementPtr& element, const std::filesystem::pa
 SdfVisual ToVisual(const sdf::Visual& visual, const std::filesystem::path& file) {
   const auto customs = CustomsOf(visual.Element(), file);
   AllowElements(customs, {"surface", "cone", "grid"}, "visual " + visual.Name());
-  const Shape shape = ToShape(*visual.Geom(), customs, visual.Element(), file);
+  const SdfGeometry shape = ToGeometry(*visual.Geom(), customs, visual.Element(), file);
   SdfVisual result{.name = visual.Name(), .visual = {}};
   result.visual.shape = shape.kind;
   result.visual.size = shape.size;
@@ -58,10 +58,13 @@ SdfVisual ToVisual(const sdf::Visual& visual, const std::filesystem::path& file)
 SdfCollision ToCollision(const sdf::Collision& collision, const std::filesystem::path& file) {
   const auto customs = CustomsOf(collision.Element(), file);
   AllowElements(customs, {"proxy", "cone", "grid"}, "collision " + collision.Name());
-  Shape shape = ToShape(*collision.Geom(), customs, collision.Element(), file);
-  SdfCollision result{.name = collision.Name(), .triangles = {}};
-  result.triangles = Transformed(Resolve(collision.SemanticPose(), "", collision.Element(), file),
-                                 std::move(shape.mesh));
+  SdfGeometry shape = ToGeometry(*collision.Geom(), customs, collision.Element(), file);
+  const Eigen::Isometry3d X_LP = Resolve(collision.SemanticPose(), "", collision.Element(), file);
+  SdfCollision result{.name = collision.Name(),
+                      .line = LineOf(collision.Element()),
+                      .triangles = Transformed(X_LP, std::move(shape.mesh)),
+                      .solid = shape.solid};
+  if (result.solid) result.solid->X_OP = X_LP;
   if (const CustomElement* proxy = FindElement(customs, "proxy")) {
     proxy->AllowAttributes({"kind"});
     const std::string& kind = proxy->Text("kind");

@@ -86,6 +86,7 @@ uint32_t MovableShapes::BoxList::OverlappingBatch(size_t first, const AlignedBox
 void MovableShapes::Place(size_t index, const Eigen::Isometry3d& X_MO) {
   Placed& placed = placed_[index];
   placed.X_MS = X_MO * placed.X_OS;
+  placed.hidden = false;
   bounds_.Set(index, placed.shape.Bounds(placed.X_MS));
 }
 
@@ -106,12 +107,23 @@ bool MovableShapes::Move(int object, const Eigen::Isometry3d& X_MO) {
   return found;
 }
 
+bool MovableShapes::Hide(int object) {
+  bool found = false;
+  for (size_t i = 0; i < placed_.size(); ++i) {
+    if (placed_[i].object != object) continue;
+    placed_[i].hidden = true;
+    bounds_.Set(i, AlignedBox3d());
+    found = true;
+  }
+  return found;
+}
+
 bool MovableShapes::Remove(int object) {
   const auto of_object = [object](const Placed& placed) { return placed.object == object; };
   if (std::erase_if(placed_, of_object) == 0) return false;
   bounds_.Resize(placed_.size());
   for (size_t i = 0; i < placed_.size(); ++i) {
-    bounds_.Set(i, placed_[i].shape.Bounds(placed_[i].X_MS));
+    bounds_.Set(i, placed_[i].hidden ? AlignedBox3d() : placed_[i].shape.Bounds(placed_[i].X_MS));
   }
   return true;
 }

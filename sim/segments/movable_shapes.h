@@ -18,8 +18,10 @@ class MovableShapes {
   /// `object` at X_MO gets `shape` at X_OS. Poses are rigid (rotations orthonormal to 1e-12).
   void Add(int object, uint32_t class_mask, Shape shape, const Eigen::Isometry3d& X_MO,
            const Eigen::Isometry3d& X_OS = Eigen::Isometry3d::Identity());
-  /// All shapes of `object`; false if it has none. Neither may run while others cast.
+  /// All shapes of `object`; false if it has none. None of these may run while others cast.
   bool Move(int object, const Eigen::Isometry3d& X_MO);
+  /// Until it is moved again.
+  bool Hide(int object);
   bool Remove(int object);
 
   size_t size() const { return placed_.size(); }
@@ -37,6 +39,7 @@ class MovableShapes {
     uint32_t class_mask;
     Shape shape;
     Eigen::Isometry3d X_OS, X_MS;
+    bool hidden = false;
   };
 
   /// Bounds of all shapes, corner by corner: a group of queries is culled against a batch of them

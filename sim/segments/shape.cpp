@@ -42,6 +42,20 @@ Shape Shape::Capsule(double radius, double length) {
                             Checked("length of a capsule", length) / 2});
 }
 
+Shape Shape::Of(const Primitive& primitive) {
+  const Vector3d& size = primitive.size;
+  switch (primitive.kind) {
+    case Primitive::Kind::kCylinder:
+      return Cylinder(size.x(), size.z());
+    case Primitive::Kind::kSphere:
+      return Sphere(size.x());
+    case Primitive::Kind::kCapsule:
+      return Capsule(size.x(), size.z());
+    default:
+      return Box(size);
+  }
+}
+
 Shape Shape::Hull(std::span<const Vector3d> points) { return Shape(HullOf(points)); }
 
 Crossings Shape::Cross(const Vector3d& start, const Vector3d& direction, double length) const {

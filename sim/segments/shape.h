@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "sim/geometry/primitive.h"
 #include "sim/segments/segment.h"
 #include "sim/segments/solid.h"
 
@@ -33,6 +34,8 @@ class Shape {
   static Shape Sphere(double radius);
   /// `length` without the half balls at its ends.
   static Shape Capsule(double radius, double length);
+  /// What the file calls so; its pose is the caller's business.
+  static Shape Of(const Primitive& primitive);
   /// Round the points, where they are. Throws as HullOf.
   static Shape Hull(std::span<const Eigen::Vector3d> points);
 

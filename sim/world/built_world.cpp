@@ -7,8 +7,22 @@
 namespace eod::sim {
 
 BuiltWorld::BuiltWorld(const ModuleModel& module, InstructionSet instruction_set)
-    : triangles_(module.triangles, instruction_set) {
+    : triangles_(module.triangles, instruction_set),
+      first_movable_(static_cast<int>(module.objects.size())),
+      movables_(static_cast<int>(module.movables.size())) {
   for (const WorldObject& object : module.objects) names_.push_back(object.name);
+  for (const MovableObject& movable : module.movables) {
+    const auto object = static_cast<int>(names_.size());
+    names_.push_back(movable.name);
+    for (const MovablePart& part : movable.parts) {
+      shapes_.Add(object, movable.object_class, part.shape, movable.X_MO, part.X_OS);
+    }
+  }
+}
+
+int BuiltWorld::MovableOfObject(int object) const {
+  const int movable = object - first_movable_;
+  return movable >= 0 && movable < movables_ ? movable : -1;
 }
 
 void BuiltWorld::Cast(std::span<const SegmentQuery> queries, std::span<SegmentHit> hits,
@@ -30,6 +44,8 @@ int BuiltWorld::AddShape(std::string name, uint32_t class_mask, Shape shape,
 bool BuiltWorld::Move(int object, const Eigen::Isometry3d& X_MO) {
   return shapes_.Move(object, X_MO);
 }
+
+bool BuiltWorld::Hide(int object) { return shapes_.Hide(object); }
 
 bool BuiltWorld::Remove(int object) { return shapes_.Remove(object); }
 

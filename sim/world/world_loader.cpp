@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "sim/sdf/sdf_file.h"
+#include "sim/world/movable_loader.h"
 #include "sim/world/world_model.h"
 
 namespace eod::sim {
@@ -49,10 +50,14 @@ FramedModule ReadModule(const CustomElement& element, const SdfWorld& sdf) {
 }
 
 void AddModel(const SdfModel& model, const std::filesystem::path& file, ModuleModel& module) {
-  AllowElements(model.customs, {}, "model " + model.name);
   if (!model.is_static) {
-    FailAt(file, model.line, fmt::format("model {}: needs <static>true</static>", model.name));
+    module.movables.push_back(ReadMovable(model, module.class_bit, file));
+    return;
   }
+  AllowElements(model.customs, {"vessel"}, "model " + model.name);
+  const CustomElement* vessel = FindElement(model.customs, "vessel");
+  if (vessel != nullptr) module.vessels.push_back(ReadVessel(*vessel, model));
+  const uint32_t kind = vessel != nullptr ? kContainmentVessel : 0u;
   const int object = static_cast<int>(module.objects.size());
   WorldObject& added = module.objects.emplace_back(
       WorldObject{.name = model.name, .X_MO = model.X_FM, .is_static = true, .visuals = {}});
@@ -66,7 +71,7 @@ void AddModel(const SdfModel& model, const std::filesystem::path& file, ModuleMo
       const uint32_t proxies =
           (collision.clamp ? kClampProxy : 0u) | (collision.bump ? kBumpProxy : 0u);
       for (const Triangle& corner : Transformed(model.X_FM * link.X_ML, collision.triangles)) {
-        module.triangles.push_back({corner, module.class_bit | proxies, object});
+        module.triangles.push_back({corner, module.class_bit | kind | proxies, object});
       }
     }
   }
