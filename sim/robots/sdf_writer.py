@@ -69,8 +69,9 @@ def plane(x, y, cell):
             f'<eod:grid cell="{numbers([cell])}"/>']
 
 
-def mesh(uri):
-    return [f"<geometry><mesh><uri>{uri}</uri></mesh></geometry>"]
+def mesh(uri, scale=None):
+    size = f"<scale>{numbers(scale)}</scale>" if scale else ""
+    return [f"<geometry><mesh><uri>{uri}</uri>{size}</mesh></geometry>"]
 
 
 class Link:
@@ -99,6 +100,14 @@ class Link:
     def solid(self, shape, surface, xyz=(0, 0, 0), rpy_deg=(0, 0, 0)):
         """Seen, and met by isectors."""
         return self.visual(shape, surface, xyz, rpy_deg).collision(shape, xyz, rpy_deg)
+
+    def inertial(self, mass, moments, xyz=(0, 0, 0)):
+        """Mass [kg], principal moments about the centre of mass at `xyz` [kg m^2]."""
+        ixx, iyy, izz = (f"<{name}>{numbers([value])}</{name}>"
+                         for name, value in zip(("ixx", "iyy", "izz"), moments))
+        self.parts += element("inertial", [*pose(xyz), f"<mass>{numbers([mass])}</mass>",
+                                           f"<inertia>{ixx}{iyy}{izz}</inertia>"])
+        return self
 
     def lines(self, *, xyz=(0, 0, 0), rpy_deg=(0, 0, 0), relative_to=None):
         return element(f'link name="{self.name}"', [*pose(xyz, rpy_deg, relative_to), *self.parts])

@@ -1,39 +1,22 @@
+// The training ground as a whole, and its flat module, measured by casting segments.
+#include "tests/unit/sim/training_ground.h"
+
 #include <cmath>
-#include <memory>
-
-#include <gtest/gtest.h>
-
-#include "sim/world/world_model.h"
 
 namespace eod::sim {
 namespace {
 
 using Eigen::Vector3d;
+using Met = BuiltModule::Met;
 
-/// The flat module of the training ground, and the world built of it.
 class TrainingGround : public ::testing::Test {
  protected:
-  static const WorldModel& Model() {
-    static const WorldModel model = LoadWorld(EOD_DATA_DIR "/sim/worlds/training_ground.sdf");
-    return model;
-  }
+  static const WorldModel& Model() { return TrainingGroundModel(); }
   const ModuleModel& flat_ = Model().Module(1);
 
-  struct Met {
-    double range;
-    std::string object;
-  };
-  /// What a bump line of 10 m from `start` meets first.
   Met Look(const Vector3d& start, const Vector3d& direction) {
-    static const std::unique_ptr<World> world = BuildWorld(flat_);
-    const SegmentQuery query{.start = start,
-                             .direction = direction,
-                             .length = 10,
-                             .class_mask = kModuleFlat | kBumpProxy};
-    SegmentHit hit;
-    CastMemory memory;
-    world->Cast({&query, 1}, {&hit, 1}, memory);
-    return {hit.hit ? hit.range : -1, world->ObjectName(hit.object)};
+    static const BuiltModule module(1);
+    return module.Look(start, direction);
   }
 };
 
@@ -55,7 +38,8 @@ TEST_F(TrainingGround, UnknownModuleNamesThoseThatThereAre) {
     Model().Module(4);
     FAIL() << "no error";
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("has no module 4, only 1 (flat)"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("has no module 4, only 1 (flat), 2 (slope), 3 (bomb)"),
+              std::string::npos)
         << error.what();
   }
 }
@@ -128,16 +112,28 @@ TEST_F(TrainingGround, FenceClosesTheYard) {
 
 TEST_F(TrainingGround, PicturesStayWithinTheirBudget) {
   // 50,000 visible triangles are what software rendering bears at 25 pictures a second.
-  size_t triangles = 0;
-  for (const WorldObject& object : flat_.objects) {
-    for (const Visual& visual : object.visuals) {
-      triangles += visual.shape == Visual::Shape::kMesh  ? visual.triangles.size() / 3
-                   : visual.shape == Visual::Shape::kBox ? 12
-                                                         : 100;
+  for (const ModuleModel& module : Model().modules) {
+    size_t triangles = 0;
+    for (const WorldObject& object : module.objects) {
+      for (const Visual& visual : object.visuals) {
+        triangles += visual.shape == Visual::Shape::kMesh  ? visual.triangles.size() / 3
+                     : visual.shape == Visual::Shape::kBox ? 12
+                                                           : 100;
+      }
+    }
+    EXPECT_LT(triangles, 50000u) << module.name;
+    EXPECT_LT(module.triangles.size(), 20000u) << module.name;
+  }
+}
+
+TEST_F(TrainingGround, EveryTriangleBelongsToItsModuleAlone) {
+  for (const ModuleModel& module : Model().modules) {
+    EXPECT_EQ(module.class_bit, 1u << (module.id - 1));
+    for (const CollisionTriangle& triangle : module.triangles) {
+      ASSERT_EQ(triangle.class_mask & kAnyModule, module.class_bit) << module.name;
+      ASSERT_NE(triangle.class_mask & (kClampProxy | kBumpProxy), 0u) << module.name;
     }
   }
-  EXPECT_LT(triangles, 50000u);
-  EXPECT_LT(flat_.triangles.size(), 20000u);
 }
 
 TEST_F(TrainingGround, SunAndFogComeFromTheFile) {

@@ -1,0 +1,36 @@
+"""What things look like: colour, texture, tile [m], gloss; and the turns that lay a cylinder down."""
+
+from sdf_writer import Surface
+
+GRASS = Surface((0.85, 0.95, 0.75), "grass", 2.5, 0.0)
+MEADOW = Surface((0.62, 0.72, 0.50), "grass", 12.0, 0.0)
+FOREST = Surface((0.16, 0.25, 0.13), "grass", 4.0, 0.0)
+LEAVES = Surface((0.22, 0.36, 0.14), "grass", 0.8, 0.0)
+NEEDLES = Surface((0.12, 0.25, 0.13), "grass", 0.6, 0.0)
+BARK = Surface((0.30, 0.22, 0.15), "wood", 0.5, 0.0)
+ASPHALT = Surface((0.55, 0.55, 0.57), "asphalt", 2.0, 0.02)
+CONCRETE = Surface((0.85, 0.84, 0.80), "concrete", 1.5, 0.02)
+CONCRETE_DARK = Surface((0.50, 0.50, 0.48), "concrete", 1.5, 0.02)
+BRICK = Surface((1.0, 1.0, 1.0), "brick", 0.75, 0.02)
+BRICK_PALE = Surface((0.95, 0.88, 0.78), "brick", 0.9, 0.02)
+WOOD = Surface((0.95, 0.85, 0.70), "wood", 0.9, 0.05)
+WOOD_DARK = Surface((0.45, 0.36, 0.27), "wood", 0.9, 0.05)
+METAL = Surface((0.50, 0.52, 0.54), "metal", 0.6, 0.4)
+ROOF = Surface((0.38, 0.20, 0.16), "metal", 0.9, 0.1)
+HAZARD = Surface((1.0, 1.0, 1.0), "hazard", 0.35, 0.1)
+LINE = Surface((0.92, 0.92, 0.88), "plain", 1.0, 0.02)
+YELLOW_LINE = Surface((0.90, 0.68, 0.06), "plain", 1.0, 0.02)
+WHITE = Surface((0.93, 0.93, 0.90), "plain", 1.0, 0.05)
+BLACK = Surface((0.03, 0.03, 0.03), "plain", 1.0, 0.05)
+RED = Surface((0.62, 0.06, 0.04), "plain", 1.0, 0.15)
+ORANGE = Surface((0.92, 0.28, 0.03), "plain", 1.0, 0.15)
+BLUE = Surface((0.05, 0.17, 0.40), "metal", 0.7, 0.3)
+GREEN = Surface((0.10, 0.28, 0.15), "metal", 0.7, 0.3)
+GLASS = Surface((0.10, 0.14, 0.18), "plain", 1.0, 0.9)
+
+STEEL = Surface((0.60, 0.61, 0.63), "metal", 0.3, 0.6)
+CARDBOARD = Surface((0.58, 0.42, 0.26), "plain", 1.0, 0.02)
+TAPE = Surface((0.42, 0.30, 0.18), "plain", 1.0, 0.15)
+
+ALONG_X = (0, 90, 0)
+ALONG_Y = (90, 0, 0)
