@@ -10,7 +10,7 @@ namespace eod::sim {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr std::array<std::string_view, 1> kTables = {"tilt"};
+constexpr std::array<std::string_view, 2> kTables = {"tilt", "explosion"};
 
 TiltRules ReadTilt(const TomlTable& table) {
   constexpr std::array<std::string_view, 2> kKeys = {"alarm_deg", "rollover_deg"};
@@ -25,7 +25,9 @@ Rules LoadRules(const std::filesystem::path& file) {
   const toml::table parsed = ParseToml(file, "rules");
   const TomlTable table(file, parsed);
   table.RejectUnknownKeys(kTables);
-  return {.file = file, .tilt = ReadTilt(table.Table("tilt"))};
+  return {.file = file,
+          .tilt = ReadTilt(table.Table("tilt")),
+          .explosion = ReadExplosion(table.Table("explosion"))};
 }
 
 }  // namespace eod::sim

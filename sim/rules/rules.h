@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "sim/rules/explosion_rules.h"
+
 namespace eod::sim {
 
 /// When the robot's tilt is told to the operator [rad].
@@ -15,6 +17,7 @@ struct TiltRules {
 struct Rules {
   std::filesystem::path file;
   TiltRules tilt;
+  ExplosionRules explosion;
 };
 
 /// Reads and checks the rules. Throws std::runtime_error with one line "FILE:LINE: …".
