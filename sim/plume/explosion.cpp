@@ -9,7 +9,7 @@ namespace {
 constexpr double kStill = 1e-3;  // [rad] a shake that nobody sees
 
 /// Of all particles, the share that the charge throws out at once.
-int FireCount(const ExplosionRules& rules) { return (2 * rules.quads + 2) / 3; }
+int FireCount(const ExplosionRules& rules) { return (rules.quads + 1) / 2; }
 
 PlumeAir AirOf(const ExplosionRules& rules) {
   return {.wind = rules.wind,

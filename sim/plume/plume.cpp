@@ -10,10 +10,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kBlack = 0.05;     // dead below, max(R, G, B) (domain, section 7)
-constexpr double kFadeIn = 0.25;    // [s] smoke does not jump into the picture
-constexpr double kFadeOut = 0.55;   // share of the life from which on it thins out
-constexpr double kGroundGap = 0.6;  // share of its half size that a puff keeps from the ground
+constexpr double kBlack = 0.05;        // dead below, max(R, G, B) (domain, section 7)
+constexpr double kFadeIn = 0.25;       // [s] smoke does not jump into the picture
+constexpr double kFlameDensity = 0.3;  // of flame, whose lights add up, against smoke
+constexpr double kFadeOut = 0.55;      // share of the life from which on it thins out
+constexpr double kGroundGap = 0.6;     // share of its half size that a puff keeps from the ground
 
 struct RampStop {
   double at;
@@ -22,8 +23,8 @@ struct RampStop {
 
 /// Mean brightness falls along both ramps, and from one to the other.
 const std::array<RampStop, 3> kFlame{{{0.0, Vector3d(1.0, 0.95, 0.80)},
-                                      {0.4, Vector3d(1.0, 0.72, 0.22)},
-                                      {1.0, Vector3d(0.85, 0.26, 0.04)}}};
+                                      {0.3, Vector3d(1.0, 0.64, 0.12)},
+                                      {1.0, Vector3d(0.78, 0.17, 0.012)}}};
 const std::array<RampStop, 4> kSmoke{{{0.0, Vector3d(0.24, 0.215, 0.19)},
                                       {0.5, Vector3d(0.15, 0.142, 0.135)},
                                       {0.9, Vector3d(0.07, 0.068, 0.066)},
@@ -58,7 +59,8 @@ double AlphaOf(const PlumeParticle& particle) {
   const double share = particle.age / particle.life;
   const double left = std::clamp((1 - share) / (1 - kFadeOut), 0.0, 1.0);
   const double grown = particle.puff.flame > 0 ? 1 : std::min(1.0, particle.age / kFadeIn);
-  return particle.puff.opacity * grown * left;
+  const double density = kFlameDensity + (1 - kFlameDensity) * SmokeShare(particle);
+  return particle.puff.opacity * density * grown * left;
 }
 
 /// Lowest place of a puff's centre: it spreads over the ground, it does not sink into it.

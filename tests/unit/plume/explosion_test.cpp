@@ -51,7 +51,7 @@ TEST_F(ExplosionTest, BurnsForItsFireballThenSmokesUntilItIsGone) {
   RunTo(TheExplosion().fireball + 2 * kStep);
   EXPECT_EQ(Flame(), 0);
   EXPECT_GT(dut_.quads().size(), 15U);
-  RunTo(TheExplosion().smoke - 1);
+  RunTo(0.8 * TheExplosion().smoke);
   EXPECT_FALSE(dut_.quads().empty());
   RunTo(TheExplosion().smoke + kStep);
   EXPECT_TRUE(dut_.quads().empty());

@@ -71,10 +71,10 @@ TEST(Plume, ColourGoesFromWhiteOverYellowAndOrangeAndGreyToBlack) {
   dut.Extinguish();
   const auto colour = [&] { return Vector3d(dut.particles()[0].colour); };
   EXPECT_GT(colour().minCoeff(), 0.7) << "white";
-  Burn(0.16, dut);
+  Burn(0.12, dut);
   EXPECT_GT(colour().y(), 0.6) << "yellow";
   EXPECT_LT(colour().z(), 0.4) << "yellow";
-  Burn(0.12, dut);
+  Burn(0.16, dut);
   EXPECT_GT(colour().x(), 1.6 * colour().y()) << "orange";
   Burn(0.14, dut);
   EXPECT_NEAR(colour().x(), colour().z(), 0.06) << "grey";
