@@ -39,6 +39,7 @@ struct DrawnMovable {
 struct SceneSnapshot {
   TimePoint time{};
   int module = 1;
+  int camera_select = 1;  ///< the operator's, see CameraChoice
   RobotState state;
   std::vector<DrawnSegment> segments;  ///< empty unless isectors are drawn
   /// Those beyond its end stand where the module has them at the start.
@@ -48,10 +49,11 @@ struct SceneSnapshot {
 };
 
 struct CameraConfig {
-  std::vector<std::string> cameras = {"drive", "mast"};  ///< names in the robot file
+  /// Names in the robot file. Which of them are rendered follows the operator's choice.
+  std::vector<std::string> cameras = {"drive", "gripper", "mast", "rear"};
   int width = 640;
   int height = 480;
-  double rate_hz = 30;  ///< pictures a second of each camera, 1..60
+  double rate_hz = 30;  ///< pictures a second of a camera at its full rate, 1..60
   int jpeg_quality = 80;
   bool draw_isectors = false;
 };
