@@ -34,15 +34,19 @@ inline constexpr Channel kDriveCameraChannel{"EOD_CAMERA_DRIVE", "image_t", "sim
                                              "25 to 30 Hz"};
 inline constexpr Channel kMastCameraChannel{"EOD_CAMERA_MAST", "image_t", "sim", "recorder",
                                             "25 to 30 Hz"};
+inline constexpr Channel kGripperCameraChannel{"EOD_CAMERA_GRIPPER", "image_t", "sim", "recorder",
+                                               "25 to 30 Hz while chosen"};
+inline constexpr Channel kRearCameraChannel{"EOD_CAMERA_REAR", "image_t", "sim", "recorder",
+                                            "25 to 30 Hz while chosen"};
 inline constexpr Channel kPanelCommandChannel{"EOD_PANEL_COMMAND", "panel_command_t",
                                               "any panel or test", "firmware_emu", "on change"};
 inline constexpr Channel kPanelStatusChannel{"EOD_PANEL_STATUS", "panel_status_t", "firmware_emu",
                                              "recorder", "on change, and every 100 ms"};
 
 inline constexpr std::array kChannels{
-    kBoxCommandChannel,   kRobotStateChannel,    kAlarmChannel,       kIsectorHitsChannel,
-    kLinkStatusChannel,   kMissionStatusChannel, kDriveCameraChannel, kMastCameraChannel,
-    kPanelCommandChannel, kPanelStatusChannel};
+    kBoxCommandChannel,    kRobotStateChannel,    kAlarmChannel,        kIsectorHitsChannel,
+    kLinkStatusChannel,    kMissionStatusChannel, kDriveCameraChannel,  kMastCameraChannel,
+    kGripperCameraChannel, kRearCameraChannel,    kPanelCommandChannel, kPanelStatusChannel};
 
 /// Name of `channel` on the wire for the station `prefix` (empty for a single station).
 inline std::string ChannelName(std::string_view prefix, const Channel& channel) {

@@ -91,15 +91,13 @@ class SheetPainter {
 
   void DrawTile(const SheetLayout::Tile& tile, const Moment& moment) {
     canvas_.Fill(tile.picture, kLine);
-    const auto drive = moment.pictures.find(Camera::kDrive);
-    const auto mast = moment.pictures.find(Camera::kMast);
-    const auto end = moment.pictures.end();
-    if (drive != end) Show(drive->second, tile.picture);
-    if (mast != end && drive == end) Show(mast->second, tile.picture);
-    if (mast != end && drive != end) {
+    // The map's order is that of worth.
+    auto picture = moment.pictures.begin();
+    if (picture != moment.pictures.end()) Show((picture++)->second, tile.picture);
+    if (picture != moment.pictures.end()) {
       const Rectangle& inset = tile.inset;
       canvas_.Fill({inset.x - 2, inset.y - 2, inset.width + 4, inset.height + 4}, kPaper);
-      Show(mast->second, inset);
+      Show(picture->second, inset);
     }
     DrawDisplay(tile.picture, moment);
     DrawCaption(tile.caption, moment);

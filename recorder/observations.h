@@ -55,8 +55,9 @@ struct PanelSeen {
   bool script_failed = false;
 };
 
-enum class Camera : uint8_t { kDrive, kMast };
-inline constexpr int kCameraCount = 2;
+/// In the order of their worth to somebody who looks at a run.
+enum class Camera : uint8_t { kDrive, kMast, kGripper, kRear };
+inline constexpr int kCameraCount = 4;
 
 inline constexpr int kModuleCount = 5;
 inline constexpr int kCollisionAlarm = 0x10;  ///< alarm_t.code

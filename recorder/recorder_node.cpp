@@ -31,7 +31,8 @@ constexpr Duration kAftermath = std::chrono::milliseconds(500);
 // A burst of states while a picture is written must not be lost.
 constexpr int kQueueCapacity = 2000;
 
-constexpr std::array<std::string_view, kCameraCount> kCameraNames{"drive", "mast"};
+constexpr std::array<std::string_view, kCameraCount> kCameraNames{"drive", "mast", "gripper",
+                                                                  "rear"};
 
 template <typename Message>
 std::optional<Message> Decode(const lcm::ReceiveBuffer& buffer) {
@@ -157,6 +158,10 @@ void RecorderNode::Observe(const lcm::ReceiveBuffer& buffer, const std::string& 
     OnImage(buffer, Camera::kDrive);
   } else if (is(kMastCameraChannel)) {
     OnImage(buffer, Camera::kMast);
+  } else if (is(kGripperCameraChannel)) {
+    OnImage(buffer, Camera::kGripper);
+  } else if (is(kRearCameraChannel)) {
+    OnImage(buffer, Camera::kRear);
   }
 }
 

@@ -77,13 +77,10 @@ void RunObserver::OnPanel(const PanelSeen& panel) {
 void RunObserver::OnPicture(Camera camera, TimePoint time, int width, int height,
                             const Jpeg& jpeg) {
   moments_.AddPicture(camera, SecondsInto(time), jpeg, lamps_, state_.speed_mps);
-  if (camera != Camera::kDrive) return;
-  if (drive_frames_ == 0) first_frame_ = time;
-  ++drive_frames_;
+  pictures_.at(static_cast<size_t>(camera)).OnPicture(time, last_picture_);
+  last_picture_ = time;
   frame_width_ = width;
   frame_height_ = height;
-  frame_times_.push_back(time);
-  while (time - frame_times_.front() > std::chrono::seconds(1)) frame_times_.pop_front();
 }
 
 double RunObserver::SecondsInto(TimePoint time) const {
@@ -96,10 +93,9 @@ LiveStatus RunObserver::live() const {
   live.lamps = lamps_;
   live.speed_mps = state_.speed_mps;
   live.inhibit_mask = state_.inhibit_mask;
-  // Pictures that stopped must not look alive.
-  live.camera_fps = static_cast<double>(std::count_if(
-      frame_times_.begin(), frame_times_.end(),
-      [this](TimePoint time) { return state_.time - time < std::chrono::seconds(1); }));
+  for (const PictureRate& camera : pictures_) {
+    live.camera_fps = std::max(live.camera_fps, camera.FpsAt(state_.time));
+  }
   live.link = link_;
   live.mission = mission_;
   live.script_line = panel_.script_line;
@@ -130,13 +126,11 @@ Summary RunObserver::Summarize() const {
     summary.can.lost = link_->lost;
     summary.can.crc_errors = link_->crc_errors;
   }
-  summary.camera.frames = drive_frames_;
+  const PictureRate& most = *std::ranges::max_element(pictures_, {}, &PictureRate::frames);
+  summary.camera.frames = most.frames();
+  summary.camera.fps = most.mean_fps();
   summary.camera.width = frame_width_;
   summary.camera.height = frame_height_;
-  if (drive_frames_ > 1) {
-    summary.camera.fps =
-        static_cast<double>(drive_frames_ - 1) / ToSeconds(frame_times_.back() - first_frame_);
-  }
   summary.latency_ms.button_to_pose = ComputePercentiles(latency_.button_to_pose_ms());
   summary.latency_ms.contact_to_lamp_frame = ComputePercentiles(latency_.contact_to_lamp_ms());
   summary.step.period_ms = ToSeconds(steps_.period()) * 1e3;

@@ -10,6 +10,7 @@
 #include "recorder/latency_matcher.h"
 #include "recorder/moments.h"
 #include "recorder/observations.h"
+#include "recorder/picture_rate.h"
 #include "recorder/step_watch.h"
 #include "recorder/summary.h"
 
@@ -74,9 +75,8 @@ class RunObserver {
   PanelSeen panel_;
 
   Moments moments_;
-  int64_t drive_frames_ = 0;
-  TimePoint first_frame_{};
-  std::deque<TimePoint> frame_times_;  ///< of the last second
+  std::array<PictureRate, kCameraCount> pictures_;
+  TimePoint last_picture_{};
   int frame_width_ = 0;
   int frame_height_ = 0;
 };

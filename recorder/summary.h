@@ -33,10 +33,10 @@ struct Summary {
   } can;
   struct {
     int64_t frames = 0;
-    double fps = 0;  ///< mean between the first and the last picture
+    double fps = 0;  ///< mean while it was shown
     int width = 0;
     int height = 0;
-  } camera;  ///< the drive camera
+  } camera;  ///< the one that was shown most
   struct {
     Percentiles button_to_pose;
     Percentiles contact_to_lamp_frame;

@@ -38,8 +38,9 @@ struct OperatorCommand {
   int speed_range = 1;                             ///< 0 creep, 1 low, 2 high
   int preset = 0;                                  ///< 0 none, 1 stow .. 7 stair down
   FirePanel fire;
-  int menu_module = 0;   ///< 0 none, 1 flat .. 5 indoor
-  int menu_command = 0;  ///< MenuCommand; acts when it changes
+  int camera_select = 1;  ///< 0 quad, 1 drive, 2 gripper, 3 mast, 4 rear
+  int menu_module = 0;    ///< 0 none, 1 flat .. 5 indoor
+  int menu_command = 0;   ///< MenuCommand; acts when it changes
 };
 
 /// What is left of a command that can be trusted.

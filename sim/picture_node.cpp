@@ -6,6 +6,8 @@ namespace eod::sim {
 
 PictureNode::PictureNode(lcm::LCM& lcm, std::string_view channel_prefix) : lcm_(lcm) {
   outputs_["drive"].channel = ChannelName(channel_prefix, kDriveCameraChannel);
+  outputs_["gripper"].channel = ChannelName(channel_prefix, kGripperCameraChannel);
+  outputs_["rear"].channel = ChannelName(channel_prefix, kRearCameraChannel);
   outputs_["mast"].channel = ChannelName(channel_prefix, kMastCameraChannel);
 }
 

@@ -36,6 +36,7 @@ OperatorCommand FromMessage(const box_command_t& message, TimePoint received) {
                   .fire_right = message.fire_right,
                   .circuit = message.circuit,
                   .nonce_echo = message.nonce_echo};
+  command.camera_select = message.camera_select;
   command.menu_module = message.menu_module;
   command.menu_command = message.menu_command;
   return command;
@@ -236,6 +237,7 @@ void SimNode::ShowScene(const StepResult& result) {
   if (scene_due_ <= result.time) scene_due_ = result.time + scene_output_.period;
   snapshot_.time = result.time;
   snapshot_.module = result.module;
+  snapshot_.camera_select = command_.camera_select;
   snapshot_.state = result.state;
   snapshot_.segments.clear();
   if (scene_output_.draw_isectors) {

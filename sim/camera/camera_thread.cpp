@@ -16,6 +16,7 @@
 #include <pthread.h>
 
 #include "platform/priority.h"
+#include "sim/camera/camera_choice.h"
 #include "sim/camera/gl_context.h"
 #include "sim/camera/jpeg_encoder.h"
 #include "sim/camera/picture_schedule.h"
@@ -114,7 +115,12 @@ class CameraThread::Worker {
 
   void Loop(SceneRenderer& renderer, std::vector<Eye>& eyes) {
     SceneSnapshot snapshot;
+    std::vector<int> intervals(eyes.size());
     while (TakeNewest(snapshot)) {
+      for (size_t i = 0; i < eyes.size(); ++i) {
+        intervals[i] = PictureInterval(snapshot.camera_select, eyes[i].spec.name);
+      }
+      schedule_.Choose(intervals, snapshot.time);
       bool is_prepared = false;
       // All cameras that are due show the same moment, and share its shadow.
       while (const std::optional<size_t> due = schedule_.Due(snapshot.time)) {

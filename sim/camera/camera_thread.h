@@ -7,9 +7,11 @@
 #include <string>
 #include <vector>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "platform/time.h"
+#include "sim/plume/picture_effects.h"
+#include "sim/plume/plume_quad.h"
 #include "sim/robot/robot_model.h"
 #include "sim/world/world_model.h"
 
@@ -24,19 +26,34 @@ struct DrawnSegment {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< of the hit
 };
 
+/// A movable object as it stands, in the order of ModuleModel::movables.
+struct DrawnMovable {
+  Eigen::Isometry3d X_MO = Eigen::Isometry3d::Identity();
+  bool is_visible = true;  ///< not if it is gone
+  bool operator==(const DrawnMovable& other) const {
+    return is_visible == other.is_visible && X_MO.matrix() == other.X_MO.matrix();
+  }
+};
+
 /// What the cameras show: copied out of a step, so that a slow picture never delays one.
 struct SceneSnapshot {
   TimePoint time{};
   int module = 1;
+  int camera_select = 1;  ///< the operator's, see CameraChoice
   RobotState state;
   std::vector<DrawnSegment> segments;  ///< empty unless isectors are drawn
+  /// Those beyond its end stand where the module has them at the start.
+  std::vector<DrawnMovable> movables;
+  std::vector<PlumeQuad> quads;  ///< of an explosion
+  PictureEffects effects;
 };
 
 struct CameraConfig {
-  std::vector<std::string> cameras = {"drive", "mast"};  ///< names in the robot file
+  /// Names in the robot file. Which of them are rendered follows the operator's choice.
+  std::vector<std::string> cameras = {"drive", "gripper", "mast", "rear"};
   int width = 640;
   int height = 480;
-  double rate_hz = 30;  ///< pictures a second of each camera, 1..60
+  double rate_hz = 30;  ///< pictures a second of a camera at its full rate, 1..60
   int jpeg_quality = 80;
   bool draw_isectors = false;
 };

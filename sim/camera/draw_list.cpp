@@ -15,8 +15,8 @@ namespace {
 constexpr double kCell = 15.0;  // [m]
 constexpr Detail kFineWorld{.chamfer = 0.02};
 constexpr Detail kCoarseWorld{.max_segments = 10, .min_extent = 0.05};
-constexpr Detail kFineRobot{.chamfer = 0.006};
-constexpr Detail kCoarseRobot{.max_segments = 12, .min_extent = 0.05};
+constexpr Detail kFineThing{.chamfer = 0.006};
+constexpr Detail kCoarseThing{.max_segments = 12, .min_extent = 0.05};
 
 /// The same shapes twice.
 struct Tessellation {
@@ -42,6 +42,13 @@ void AppendRange(const Tessellation& part, int texture, DrawList& list) {
   range.fine = AppendMesh(part.fine, list);
   range.coarse = AppendMesh(part.coarse, list);
   list.ranges.push_back(range);
+}
+
+/// A range a texture.
+DrawList ListOf(const std::map<int, Tessellation>& parts) {
+  DrawList list;
+  for (const auto& [texture, part] : parts) AppendRange(part, texture, list);
+  return list;
 }
 
 /// Flat ground takes shadows but throws none; leaving it out saves filling the whole shadow map.
@@ -77,18 +84,29 @@ DrawList BuildWorldDrawList(const ModuleModel& module) {
   return list;
 }
 
+DrawList BuildMovablesDrawList(const ModuleModel& module) {
+  const Eigen::Isometry3d X_OO = Eigen::Isometry3d::Identity();
+  std::map<int, Tessellation> parts;
+  for (size_t i = 0; i < module.movables.size(); ++i) {
+    for (const Visual& visual : module.movables[i].visuals) {
+      Tessellation& part = parts[TextureOf(visual, module.movables[i].name)];
+      AppendVisual(visual, X_OO, static_cast<int>(i), kFineThing, part.fine);
+      AppendVisual(visual, X_OO, static_cast<int>(i), kCoarseThing, part.coarse);
+    }
+  }
+  return ListOf(parts);
+}
+
 DrawList BuildRobotDrawList(const RobotModel& robot) {
   const Eigen::Isometry3d X_LL = Eigen::Isometry3d::Identity();
   std::map<int, Tessellation> parts;
   for (const LinkVisual& link_visual : robot.visuals) {
     Tessellation& part = parts[TextureOf(link_visual.visual, robot.file)];
     const int bone = 1 + link_visual.link;
-    AppendVisual(link_visual.visual, X_LL, bone, kFineRobot, part.fine);
-    AppendVisual(link_visual.visual, X_LL, bone, kCoarseRobot, part.coarse);
+    AppendVisual(link_visual.visual, X_LL, bone, kFineThing, part.fine);
+    AppendVisual(link_visual.visual, X_LL, bone, kCoarseThing, part.coarse);
   }
-  DrawList list;
-  for (const auto& [texture, part] : parts) AppendRange(part, texture, list);
-  return list;
+  return ListOf(parts);
 }
 
 }  // namespace eod::sim

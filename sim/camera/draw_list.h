@@ -35,6 +35,9 @@ struct DrawList {
 /// Throws std::runtime_error for an unknown texture.
 DrawList BuildWorldDrawList(const ModuleModel& module);
 
+/// All visuals of the module's movable objects, merged per texture; bone i is object i.
+DrawList BuildMovablesDrawList(const ModuleModel& module);
+
 /// All visuals of the robot, merged per texture; bone 1 + i is link i.
 DrawList BuildRobotDrawList(const RobotModel& robot);
 

@@ -86,10 +86,18 @@ SceneRenderer::SceneRenderer(const GlFunctions& gl, const RobotModel& robot,
       robot_mesh_(gl, robot_list_.mesh),
       surroundings_(gl, MakeSurroundings()),
       overlay_program_(MakeProgram(gl, "overlay", kOverlayVertexShader, kOverlayFragmentShader)),
-      overlay_(gl) {
-  if (robot.links.size() + 1 > kMaxBones) {
-    throw std::runtime_error(fmt::format("{}: {} links, cameras can show {}", robot.file.string(),
-                                         robot.links.size(), kMaxBones - 1));
+      overlay_(gl),
+      plume_(gl),
+      effects_(gl) {
+  const auto check = [](const std::string& owner, size_t count, const char* what) {
+    if (count < kMaxBones) return;
+    throw std::runtime_error(
+        fmt::format("{}: {} {}, cameras can show {}", owner, count, what, kMaxBones - 1));
+  };
+  check(robot.file.string(), robot.links.size(), "links");
+  for (const ModuleModel& module : world.modules) {
+    check(fmt::format("{}: module {}", world.file.string(), module.name), module.movables.size(),
+          "movable objects");
   }
   bones_.resize(3 * (robot.links.size() + 1));
   gl.Enable(GL_CULL_FACE);
@@ -103,10 +111,28 @@ void SceneRenderer::LoadModule(int module) {
                                   [&](const ModuleModel& model) { return model.id == module; });
   if (found == world_.modules.end()) return;
   DrawList list = BuildWorldDrawList(*found);
+  DrawList movables = BuildMovablesDrawList(*found);
   GpuMesh mesh(gl_, list.mesh);
+  GpuMesh movables_mesh(gl_, movables.mesh);
   // Only the ranges are needed from here on.
   list.mesh = {};
-  module_ = std::make_unique<ModuleScene>(ModuleScene{std::move(list), std::move(mesh)});
+  movables.mesh = {};
+  module_ = std::make_unique<ModuleScene>(ModuleScene{&*found, std::move(list), std::move(mesh),
+                                                      std::move(movables), std::move(movables_mesh),
+                                                      BonePalette(3 * found->movables.size())});
+}
+
+void SceneRenderer::PoseMovables() {
+  if (module_ == nullptr) return;
+  const std::vector<MovableObject>& movables = module_->model->movables;
+  for (size_t i = 0; i < movables.size(); ++i) {
+    const bool is_told = i < snapshot_.movables.size();
+    if (is_told && !snapshot_.movables[i].is_visible) {
+      HideBone(i, module_->movables_bones);
+    } else {
+      SetBone(is_told ? snapshot_.movables[i].X_MO : movables[i].X_MO, i, module_->movables_bones);
+    }
+  }
 }
 
 void SceneRenderer::Prepare(const SceneSnapshot& snapshot) {
@@ -116,9 +142,13 @@ void SceneRenderer::Prepare(const SceneSnapshot& snapshot) {
   LinkPoses(robot_, snapshot.state, X_ML_);
   SetBone(Eigen::Isometry3d::Identity(), 0, bones_);
   for (size_t link = 0; link < X_ML_.size(); ++link) SetBone(X_ML_[link], link + 1, bones_);
-  // A robot that stands still throws the shadow that is there already.
-  if (!is_new_module && snapshot.state == shadow_state_) return;
+  PoseMovables();
+  // What stands still throws the shadow that is there already.
+  if (!is_new_module && snapshot.state == shadow_state_ && snapshot.movables == shadow_movables_) {
+    return;
+  }
   shadow_state_ = snapshot.state;
+  shadow_movables_ = snapshot.movables;
   DrawShadow();
 }
 
@@ -133,6 +163,11 @@ void SceneRenderer::DrawShadow() {
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
   gl_.Enable(GL_POLYGON_OFFSET_FILL);
   gl_.PolygonOffset(1.5F, 4.0F);
+  if (module_ != nullptr && !module_->movables_list.ranges.empty()) {
+    shadow_program_.Use(sun_, module_->movables_bones);
+    module_->movables_mesh.Bind();
+    for (const DrawRange& range : module_->movables_list.ranges) DrawRun(range.coarse);
+  }
   shadow_program_.Use(sun_, bones_);
   robot_mesh_.Bind();
   for (const DrawRange& range : robot_list_.ranges) DrawRun(range.coarse);
@@ -150,10 +185,27 @@ void SceneRenderer::DrawShadow() {
 DrawCounters SceneRenderer::Draw(const CameraSpec& camera, const RenderTarget& target) {
   const Lens lens{.horizontal_fov = camera.horizontal_fov,
                   .aspect = static_cast<double>(target.width()) / target.height()};
-  const View view = MakeCameraView(X_ML_.at(static_cast<size_t>(camera.link)) * camera.X_LC, lens);
+  const Eigen::Isometry3d X_MC =
+      X_ML_.at(static_cast<size_t>(camera.link)) * camera.X_LC * ShakeOf(snapshot_.effects);
   counters_ = shadow_counters_;
   target.Bind();
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
+  // Nothing is seen behind a dead feed.
+  if (snapshot_.effects.noise < 1) {
+    const View view = MakeCameraView(X_MC, lens);
+    DrawScene(view);
+    gl_.DepthRange(0.0, kModuleDepth);
+    if (const int triangles = plume_.Draw(snapshot_.quads, X_MC, lens); triangles > 0) {
+      counters_.triangles += triangles;
+      ++counters_.draw_calls;
+    }
+    DrawIsectors(view, target);
+  }
+  effects_.Draw(snapshot_.effects, target.height());
+  return counters_;
+}
+
+void SceneRenderer::DrawScene(const View& view) {
   gl_.ActiveTexture(SurfaceProgram::kVariationUnit);
   gl_.BindTexture(GL_TEXTURE_2D, variation_.id());
   gl_.ActiveTexture(SurfaceProgram::kShadowUnit);
@@ -162,12 +214,7 @@ DrawCounters SceneRenderer::Draw(const CameraSpec& camera, const RenderTarget& t
   gl_.DepthRange(0.0, kModuleDepth);
   // Near things first: what they hide is not shaded.
   textured_.Use(view, sun_);
-  textured_.SetBones(bones_);
-  robot_mesh_.Bind();
-  for (const DrawRange& range : robot_list_.ranges) {
-    BindSurface(range.texture);
-    DrawRun(range.fine);
-  }
+  DrawThings(textured_);
   DrawWorld(view, false);
   ground_.Use(view, sun_);
   ground_.SetBones(bones_);
@@ -175,8 +222,22 @@ DrawCounters SceneRenderer::Draw(const CameraSpec& camera, const RenderTarget& t
   DrawSurroundings(view);
   counters_.triangles += sky_.Draw(view);
   ++counters_.draw_calls;
-  DrawIsectors(view, target);
-  return counters_;
+}
+
+/// The robot and what is movable. Leaves the robot's bones, whose first is the static world.
+void SceneRenderer::DrawThings(const SurfaceProgram& program) {
+  const auto draw = [&](const DrawList& list, const GpuMesh& mesh, const BonePalette& bones) {
+    program.SetBones(bones);
+    mesh.Bind();
+    for (const DrawRange& range : list.ranges) {
+      BindSurface(range.texture);
+      DrawRun(range.fine);
+    }
+  };
+  if (module_ != nullptr && !module_->movables_list.ranges.empty()) {
+    draw(module_->movables_list, module_->movables_mesh, module_->movables_bones);
+  }
+  draw(robot_list_, robot_mesh_, bones_);
 }
 
 void SceneRenderer::DrawWorld(const View& view, bool ground) {

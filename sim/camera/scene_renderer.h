@@ -6,7 +6,9 @@
 
 #include "sim/camera/camera_thread.h"
 #include "sim/camera/draw_list.h"
+#include "sim/camera/effects_pass.h"
 #include "sim/camera/gpu_mesh.h"
+#include "sim/camera/plume_pass.h"
 #include "sim/camera/render_target.h"
 #include "sim/camera/sky_dome.h"
 #include "sim/camera/surface_program.h"
@@ -26,11 +28,12 @@ const CameraSpec& FindCamera(const RobotModel& robot, const std::string& name);
 /// Draws the robot in its module. Use: `Prepare` once a snapshot, then `Draw` for each camera.
 class SceneRenderer {
  public:
-  /// Throws std::runtime_error with one line: an unknown texture, too many links.
+  /// Throws std::runtime_error with one line: an unknown texture, too many links or
+  /// movable objects.
   SceneRenderer(const GlFunctions& gl, const RobotModel& robot, const WorldModel& world);
 
-  /// Poses the robot and renders the sun's shadow around it. The first call for a module uploads
-  /// that module. An unknown module shows sky and grass only.
+  /// Poses the robot and what is movable, and renders the sun's shadow around it. The first call
+  /// for a module uploads that module. An unknown module shows sky and grass only.
   void Prepare(const SceneSnapshot& snapshot);
 
   /// Draws the prepared snapshot as `camera` sees it.
@@ -38,12 +41,19 @@ class SceneRenderer {
 
  private:
   struct ModuleScene {
+    const ModuleModel* model;
     DrawList list;
     GpuMesh mesh;
+    DrawList movables_list;
+    GpuMesh movables_mesh;
+    BonePalette movables_bones;
   };
 
   void LoadModule(int module);
+  void PoseMovables();
   void DrawShadow();
+  void DrawScene(const View& view);
+  void DrawThings(const SurfaceProgram& program);
   void DrawWorld(const View& view, bool ground);
   void DrawSurroundings(const View& view);
   void DrawIsectors(const View& view, const RenderTarget& target);
@@ -65,13 +75,16 @@ class SceneRenderer {
   GpuMesh surroundings_;
   GlObject overlay_program_;
   ColourTriangles overlay_;
+  PlumePass plume_;
+  EffectsPass effects_;
   std::unique_ptr<ModuleScene> module_;
   int module_id_ = -1;  ///< of module_, or of what was looked for in vain
 
   SceneSnapshot snapshot_;
   std::vector<Eigen::Isometry3d> X_ML_;
   BonePalette bones_;
-  RobotState shadow_state_;  ///< that the shadow map shows
+  RobotState shadow_state_;  ///< that the shadow map shows, as are these
+  std::vector<DrawnMovable> shadow_movables_;
   View sun_;
   std::vector<ColourVertex> overlay_triangles_;
   DrawCounters counters_;

@@ -137,4 +137,60 @@ out vec4 o_colour;
 void main() { o_colour = v_colour; }
 )";
 
+const std::string_view kPlumeVertexShader = R"(
+layout(location = 0) in vec4 a_position;
+layout(location = 1) in vec2 a_uv;
+layout(location = 2) in vec4 a_colour;
+layout(location = 3) in float a_cover;
+out vec2 v_uv;
+out vec4 v_colour;
+out float v_cover;
+void main() {
+  v_uv = a_uv;
+  v_colour = vec4(sqrt(a_colour.rgb), a_colour.a);
+  v_cover = a_cover;
+  gl_Position = a_position;
+}
+)";
+
+const std::string_view kPlumeFragmentShader = R"(
+uniform sampler2D u_texture;
+in vec2 v_uv;
+in vec4 v_colour;
+in float v_cover;
+out vec4 o_colour;
+void main() {
+  vec4 puff = texture(u_texture, v_uv);
+  float alpha = puff.a * v_colour.a;
+  // Lumps of light and shade are those of smoke; flame has its own light.
+  vec3 colour = v_colour.rgb * mix(1.0, 1.6 * puff.r, v_cover);
+  o_colour = vec4(colour * alpha, alpha * v_cover);
+}
+)";
+
+const std::string_view kEffectsVertexShader = R"(
+void main() {
+  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  gl_Position = vec4(corner, 0.0, 1.0);
+}
+)";
+
+const std::string_view kEffectsFragmentShader = R"(
+uniform sampler2D u_grains;
+uniform float u_noise;
+uniform float u_flash;
+uniform vec3 u_shift;
+uniform float u_scale;
+out vec4 o_colour;
+void main() {
+  vec2 place = gl_FragCoord.xy * u_scale;
+  // Streaks along the lines, and a slow bar that rolls through.
+  float grain = texture(u_grains, vec2(0.45 * place.x, place.y) + u_shift.xy).r;
+  float bar = texture(u_grains, vec2(u_shift.z, 0.02 * place.y + u_shift.x)).r;
+  vec3 noise = vec3(grain * (0.8 + 0.5 * bar));
+  float alpha = 1.0 - (1.0 - u_noise) * (1.0 - u_flash);
+  o_colour = vec4(mix(noise * u_noise, vec3(1.0), u_flash), alpha);
+}
+)";
+
 }  // namespace eod::sim

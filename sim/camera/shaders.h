@@ -16,5 +16,11 @@ extern const std::string_view kSkyVertexShader;
 extern const std::string_view kSkyFragmentShader;
 extern const std::string_view kOverlayVertexShader;
 extern const std::string_view kOverlayFragmentShader;
+/// Premultiplied colours, to be blended by (1, 1 - alpha), as are those of the effects.
+extern const std::string_view kPlumeVertexShader;
+extern const std::string_view kPlumeFragmentShader;
+/// Three corners out of nothing, which cover the picture.
+extern const std::string_view kEffectsVertexShader;
+extern const std::string_view kEffectsFragmentShader;
 
 }  // namespace eod::sim

@@ -1,5 +1,6 @@
 #include "sim/camera/surface_program.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "sim/camera/shaders.h"
@@ -24,6 +25,10 @@ void SetBone(const Eigen::Isometry3d& X_MB, size_t bone, BonePalette& palette) {
     palette.at(3 * bone + static_cast<size_t>(row)) =
         X_MB.matrix().row(row).transpose().cast<float>();
   }
+}
+
+void HideBone(size_t bone, BonePalette& palette) {
+  std::fill_n(palette.begin() + static_cast<std::ptrdiff_t>(3 * bone), 3, Eigen::Vector4f::Zero());
 }
 
 SurfaceProgram::SurfaceProgram(const GlFunctions& gl, Kind kind, const Atmosphere& atmosphere)

@@ -10,10 +10,13 @@ namespace eod::sim {
 
 /// Rows of the poses that vertices name by their bone: three vectors a bone.
 using BonePalette = std::vector<Eigen::Vector4f>;
-inline constexpr size_t kMaxBones = 65;  ///< the static world and 64 links
+/// A palette is for the static world and 64 links, or for 64 movable objects.
+inline constexpr size_t kMaxBones = 65;
 
 /// Writes `X_MB` as bone number `bone`.
 void SetBone(const Eigen::Isometry3d& X_MB, size_t bone, BonePalette& palette);
+/// Draws nothing of bone number `bone`: all of it shrinks to a point.
+void HideBone(size_t bone, BonePalette& palette);
 
 /// The shader that lights textured surfaces, with the sun's shadow and fog.
 class SurfaceProgram {

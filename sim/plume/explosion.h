@@ -5,25 +5,43 @@
 
 #include <Eigen/Core>
 
+#include "sim/plume/picture_effects.h"
+#include "sim/plume/plume.h"
+#include "sim/plume/plume_quad.h"
+#include "sim/rules/explosion_rules.h"
+
 namespace eod::sim {
 
-/// One camera-facing square of a plume, in the module's frame.
-struct PlumeQuad {
-  Eigen::Vector3f p_M = Eigen::Vector3f::Zero();     ///< centre [m]
-  float half_size = 0;                               ///< [m]
-  Eigen::Vector3f colour = Eigen::Vector3f::Zero();  ///< linear, brightness counted in
-  float alpha = 0;                                   ///< 0..1
-  float angle = 0;                                   ///< [rad] in the picture's plane
-  bool additive = false;                             ///< flame; otherwise smoke
-};
+/// A charge that goes off, as the cameras show it: a flash of two pictures, a fireball, smoke that
+/// the wind carries away, cameras that shake; and noise in place of pictures if the robot was
+/// destroyed. Nothing here has a part in the exercise. Deterministic; steps allocate nothing.
+class Explosion {
+ public:
+  explicit Explosion(const ExplosionRules& rules);
 
-/// What an explosion does to the pictures beside its plume.
-struct PictureEffects {
-  float flash = 0;    ///< 0..1 towards white
-  float shake = 0;    ///< [rad] amplitude of the camera's shaking
-  float noise = 0;    ///< 0..1 of the picture replaced by noise; 1: the feed is dead
-  uint32_t seed = 0;  ///< of shake and noise, another one each step
-  bool operator==(const PictureEffects&) const = default;
+  /// Goes off at `p_MD` on the ground below the charge [m]; a former one is forgotten.
+  /// `robot_destroyed`: the feeds fade to noise behind the flash, and stay so until Reset.
+  void Ignite(const Eigen::Vector3d& p_MD, uint32_t seed, bool robot_destroyed);
+  void Step(double dt_s);
+  /// Clear air, and pictures again.
+  void Reset();
+
+  /// In the module's frame, in no order. Valid until the next call.
+  std::span<const PlumeQuad> quads() const { return plume_.quads(); }
+  const PictureEffects& effects() const { return effects_; }
+  const Plume& plume() const { return plume_; }
+
+ private:
+  void UpdateEffects();
+
+  ExplosionRules rules_;
+  Plume plume_;
+  PlumeSource source_;
+  bool is_burning_ = false;  ///< from ignition until the last smoke is gone
+  bool robot_destroyed_ = false;
+  double time_ = 0;  ///< [s] since ignition
+  PlumeRandom random_;
+  PictureEffects effects_;
 };
 
 }  // namespace eod::sim

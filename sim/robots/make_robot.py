@@ -64,10 +64,10 @@ def wheel_isector(name, part, x, drive, flipper_down, motions):
     return isector(name, "bump", part, f"{drive} M03 M04 {motions}", lines, (x, FLIPPER, 0))
 
 
-def camera(name, fov_deg, xyz, width=640, height=480):
-    """Camera that looks along +Y of the link."""
+def camera(name, fov_deg, xyz, down_deg=0, width=640, height=480):
+    """Camera that looks along +Y of the link, or somewhat below."""
     return element(f'sensor name="{name}" type="camera"', [
-        *pose(xyz, (0, 0, 90)),
+        *pose(xyz, (0, down_deg, 90)),
         "<camera>",
         f"  <horizontal_fov>{numbers([math.radians(fov_deg)])}</horizontal_fov>",
         f"  <image><width>{width}</width><height>{height}</height></image>",
@@ -232,10 +232,11 @@ def arms():
     wrist = Link("wrist").mass(3, (0, 0.075, 0))
     wrist.visual(box(0.06, 0.07, 0.06), OLIVE_DARK, (0, 0.035, 0))
     wrist.visual(box(0.045, 0.05, 0.04), GREY, (0, 0.02, 0.062))
-    wrist.visual(cylinder(0.014, 0.012), LENS, (0, 0.05, 0.065), ALONG_Y)
+    wrist.visual(cylinder(0.014, 0.022), LENS, (0, 0.055, 0.065), ALONG_Y)
     wrist.collision(box(0.06, 0.07, 0.06), (0, 0.035, 0))
     wrist.collision(box(0.045, 0.07, 0.04), (0, 0.03, 0.062))
-    wrist.parts += camera("gripper", 60, (0, 0.055, 0.065))
+    # It sees the fingers in whole length, and the foot of what stands between them.
+    wrist.parts += camera("gripper", 60, (0, 0.067, 0.065), down_deg=12)
     return [big, small, wrist]
 
 

@@ -11,8 +11,8 @@ namespace eod::sim {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr std::array<std::string_view, 5> kTables = {"tilt", "grasp", "charge", "vessel",
-                                                     "disrupter"};
+constexpr std::array<std::string_view, 6> kTables = {"tilt",   "grasp",     "charge",
+                                                     "vessel", "disrupter", "explosion"};
 
 TiltRules ReadTilt(const TomlTable& table) {
   constexpr std::array<std::string_view, 2> kKeys = {"alarm_deg", "rollover_deg"};
@@ -32,7 +32,8 @@ Rules LoadRules(const std::filesystem::path& file) {
           .grasp = ReadGrasp(table.Table("grasp")),
           .charge = ReadCharge(table.Table("charge")),
           .vessel = ReadVessel(table.Table("vessel")),
-          .disrupter = ReadDisrupter(table.Table("disrupter"))};
+          .disrupter = ReadDisrupter(table.Table("disrupter")),
+          .explosion = ReadExplosion(table.Table("explosion"))};
 }
 
 }  // namespace eod::sim

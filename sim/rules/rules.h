@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "sim/rules/disposal_rules.h"
+#include "sim/rules/explosion_rules.h"
 
 namespace eod::sim {
 
@@ -21,6 +22,7 @@ struct Rules {
   ChargeRules charge;
   VesselRules vessel;
   DisrupterRules disrupter;
+  ExplosionRules explosion;
 };
 
 /// Reads and checks the rules. Throws std::runtime_error with one line "FILE:LINE: …".

@@ -1,4 +1,5 @@
 // Writes one picture of a camera for a given robot state, to be looked at.
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <numbers>
@@ -11,6 +12,8 @@
 
 #include "sim/camera/jpeg_encoder.h"
 #include "sim/isectors/isector_set.h"
+#include "sim/plume/explosion.h"
+#include "sim/rules/rules.h"
 #include "tests/unit/camera/fixture_scene.h"
 #include "tests/unit/camera/offline_camera.h"
 
@@ -29,17 +32,46 @@ struct Options {
   double x = 0, y = 0, heading_deg = 0;
   std::vector<double> view;  // x y z heading_deg pitch_deg: a free camera instead of the robot's
   std::vector<std::string> joints;  // J8=30
-  std::vector<int> motions;         // 1 is M01: draw the isectors that these load
+  std::vector<double> all_joints;   // J1 .. J9
+  std::vector<double> charge;       // x y z radius height of a cylinder
+  std::vector<double> blast;        // x y seconds
+  bool is_destroyed = false;
+  std::string rules = EOD_DATA_DIR "/sim/rules/eod_rules.toml";
+  std::vector<int> motions;  // 1 is M01: draw the isectors that these load
 };
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-void SetJoint(const std::string& text, RobotState& state) {
-  const size_t equals = text.find('=');
-  const int joint = std::stoi(text.substr(1, equals - 1)) - 1;
-  const double value = std::stod(text.substr(equals + 1));
+void SetJoint(int joint, double value, RobotState& state) {
   if (joint == kGripperOpening) state.left_opening = state.right_opening = value;
   state.joint.at(static_cast<size_t>(joint)) = joint == kGripperOpening ? value : value * kDegree;
+}
+
+void SetJoint(const std::string& text, RobotState& state) {
+  const size_t equals = text.find('=');
+  SetJoint(std::stoi(text.substr(1, equals - 1)) - 1, std::stod(text.substr(equals + 1)), state);
+}
+
+/// A charge that stands upright at the wanted place, as one more movable object.
+void AddCharge(const std::vector<double>& charge, ModuleModel& module) {
+  MovableObject object;
+  object.name = "charge";
+  object.X_MO = Eigen::Translation3d(charge.at(0), charge.at(1), charge.at(2));
+  Visual visual;
+  visual.shape = Visual::Shape::kCylinder;
+  visual.size = {charge.at(3), charge.at(3), charge.at(4)};
+  visual.material.diffuse = {0.55F, 0.06F, 0.04F};
+  object.visuals = {visual};
+  module.movables.push_back(object);
+}
+
+/// The explosion as it is some time after it went off.
+void AddBlast(const Options& options, SceneSnapshot& snapshot) {
+  Explosion explosion(LoadRules(options.rules).explosion);
+  explosion.Ignite({options.blast.at(0), options.blast.at(1), 0}, 1, options.is_destroyed);
+  for (double t = 0; t < options.blast.at(2); t += 0.004) explosion.Step(0.004);
+  snapshot.quads.assign(explosion.quads().begin(), explosion.quads().end());
+  snapshot.effects = explosion.effects();
 }
 
 /// A camera that hangs on the chassis so that it stands at the wanted place of the module.
@@ -89,13 +121,21 @@ void WritePng(const std::string& file, const OfflineCamera& camera,
 
 void Run(const Options& options) {
   RobotModel robot = options.fixture ? FixtureRobot() : LoadRobot(options.robot);
-  const WorldModel world = options.fixture ? FixtureWorld() : LoadWorld(options.world);
+  WorldModel world = options.fixture ? FixtureWorld() : LoadWorld(options.world);
   SceneSnapshot snapshot;
   snapshot.module = options.module;
   snapshot.state = HomeState(robot);
   snapshot.state.position = {options.x, options.y, 0};
   snapshot.state.attitude.heading = options.heading_deg * kDegree;
+  for (size_t joint = 0; joint < options.all_joints.size(); ++joint) {
+    SetJoint(static_cast<int>(joint), options.all_joints[joint], snapshot.state);
+  }
   for (const std::string& joint : options.joints) SetJoint(joint, snapshot.state);
+  if (!options.charge.empty()) {
+    const auto module = std::ranges::find(world.modules, options.module, &ModuleModel::id);
+    if (module != world.modules.end()) AddCharge(options.charge, *module);
+  }
+  if (!options.blast.empty()) AddBlast(options, snapshot);
   if (!options.motions.empty()) {
     AddIsectors(options.motions, robot, world.Module(options.module), snapshot);
   }
@@ -134,6 +174,12 @@ int main(int argc, char** argv) {
   app.add_option("--y", options.y, "[m]");
   app.add_option("--heading", options.heading_deg, "[deg] counter-clockwise from +Y");
   app.add_option("--joint", options.joints, "such as J8=30 [deg] or J7=0.05 [m]");
+  app.add_option("--joints", options.all_joints, "J1 to J9 [deg], J7 [m]")
+      ->expected(eod::sim::kJointCount);
+  app.add_option("--charge", options.charge, "cylinder: x y z of its middle, radius, height [m]")
+      ->expected(5);
+  app.add_option("--blast", options.blast, "explosion: x y [m], seconds ago")->expected(3);
+  app.add_flag("--destroyed", options.is_destroyed, "the explosion destroyed the robot");
   app.add_option("--motions", options.motions, "draw the isectors that these load: 1 is M01")
       ->check(CLI::Range(1, eod::sim::kMotionCount));
   app.add_option("--view", options.view, "free camera: x y z heading_deg pitch_deg")->expected(5);
