@@ -14,20 +14,6 @@
 namespace eod::sim {
 namespace {
 
-/// The scenario's own module has its steps; any other one is free driving.
-Scenario ScenarioIn(const ModuleModel& module, const Scenario& scenario) {
-  if (module.id == scenario.module) return scenario;
-  Scenario free_driving;
-  free_driving.file = scenario.file;
-  free_driving.module = module.id;
-  return free_driving;
-}
-
-bool IsSame(TaskStatus a, const TaskStatus& b) {
-  a.elapsed_s = b.elapsed_s;
-  return a == b;
-}
-
 constexpr MotionSet kDriveMotions =
     SetOf(kDriveForward) | SetOf(kDriveReverse) | SetOf(kTurnLeft) | SetOf(kTurnRight);
 
@@ -38,27 +24,18 @@ double SignedRate(const RobotModel& robot, const MotionDemand& demand, int posit
 
 }  // namespace
 
-Simulator::Place::Place(const RobotModel& robot, const WorldModel& all, const ModuleModel& model,
-                        const Scenario& scenario, const SimulatorConfig& config)
-    : module(&model),
-      world(std::make_unique<BuiltWorld>(config.rules.module_masks ? model
-                                                                   : WithAllModules(all, model))),
-      isectors(robot, model.class_bit, config.coverage, config.rules),
-      support(robot, model.class_bit, Coverage::kPaper,
-              {.module_masks = config.rules.module_masks}),
-      stance(robot, config.rules.module_masks ? model.class_bit : kAnyModule),
-      task(ScenarioIn(model, scenario), model) {}
-
 Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Scenario& scenario,
                      const SimulatorConfig& config)
     : robot_(robot),
+      probe_(AppendHeldProbe(robot_)),
       scenario_(scenario),
       config_(config),
       dt_s_(ToSeconds(config.period)),
-      drives_(robot),
-      preset_run_(robot),
-      payload_(robot),
+      drives_(robot_),
+      preset_run_(robot_),
+      payload_(robot_),
       alarm_rules_(config.exercise.tilt),
+      explosion_(config.exercise.explosion),
       start_asked_(config.start_mission) {
   using std::chrono::milliseconds;
   if (config.period < milliseconds(1) || config.period > milliseconds(20)) {
@@ -72,7 +49,7 @@ Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Sce
                                          scenario.module, world.file.string()));
   }
   for (const ModuleModel& module : world.modules) {
-    places_.push_back(std::make_unique<Place>(robot, world, module, scenario, config));
+    places_.push_back(std::make_unique<Place>(robot_, probe_, world, module, scenario, config));
   }
   result_.alarm_changes.reserve(16);
   // Every list grows to its full length now, so that no step has to allocate.
@@ -98,10 +75,12 @@ const StepResult& Simulator::Step(TimePoint now, const OperatorCommand& command)
   Cast(wanted.commanded);
   Respond(robot_, result_.state, link_poses_, place_->isectors.segments(), wanted,
           {.dt_s = dt_s_, .with_factor = config_.rules.distance_factor}, response_);
+  const MotionVerdict& verdict = JudgeHands(wanted);
   PressFlippers(wish.demand.commanded);
   const RobotState before = result_.state;
   // A robot that stands still stands where it stood, to the last bit.
-  if (Move(wanted, inhibition) || !before.at_rest) StandOnGround(before);
+  if (Move(wanted, inhibition, verdict) || !before.at_rest) StandOnGround(before);
+  Dispose(command);
   Report(command, wish, inhibition);
   UpdateAlarms(wish.demand.commanded, inhibition);
   UpdateTask(contacts_before);
@@ -126,7 +105,7 @@ void Simulator::ObeyMenu(const OperatorCommand& command) {
       paused_ = false;
       break;
     case kMenuReset:
-      EnterModule(place_->module->id);
+      EnterModule(place_->module().id);
       paused_ = false;
       break;
     case kMenuEnd:
@@ -140,17 +119,18 @@ void Simulator::ObeyMenu(const OperatorCommand& command) {
 
 void Simulator::EnterModule(int id) {
   for (const auto& place : places_) {
-    if (place->module->id != id) continue;
+    if (place->module().id != id) continue;
     place_ = place.get();
-    place_->task.Reset();
+    place_->Reset();
+    explosion_.Reset();
     StandAtStart();
   }
 }
 
 void Simulator::StandAtStart() {
-  result_.module = place_->module->id;
+  result_.module = place_->module().id;
   result_.state = HomeState(robot_);
-  result_.state.attitude = place_->module->start_attitude;
+  result_.state.attitude = place_->module().start_attitude;
   result_.contact_parts = 0;
   response_.held.clear();
   drives_.HaltAll();
@@ -158,7 +138,7 @@ void Simulator::StandAtStart() {
   tilt_guard_.Reset();
   LinkPoses(robot_, result_.state, link_poses_);
   if (config_.coverage == Coverage::kExtended) {
-    result_.state = place_->stance.PutDown(*place_->world, result_.state, link_poses_);
+    result_.state = place_->stance.PutDown(place_->world, result_.state, link_poses_);
     LinkPoses(robot_, result_.state, link_poses_);
   } else {
     StandOnGround(result_.state);
@@ -171,25 +151,40 @@ MotionDemand Simulator::Want(const Wish& wish) {
   const MotionDemand preset = preset_run_.Demand(wish.preset, result_.state, dt_s_);
   for (int motion = 0; motion < kMotionCount; ++motion) wanted.rate[motion] += preset.rate[motion];
   wanted.commanded |= preset.commanded;
-  // Doubt is no moment to run out gently.
-  if (!wish.trusted) drives_.HaltAll();
+  // Doubt is no moment to run out gently; and a wreck obeys no one.
+  if (!wish.trusted || result_.disposal.robot_destroyed) drives_.HaltAll();
+  if (result_.disposal.robot_destroyed) return {};
   return drives_.Follow(wanted, dt_s_, wish.brakes);
 }
 
 Simulator::Inhibition Simulator::Inhibit(const MotionDemand& wanted) {
-  return {.limit = LimitedMotions(robot_, result_.state) & wanted.commanded,
-          .tilt = TiltingMotions() & wanted.commanded,
-          .payload = payload_.Forbidden(result_.state, wanted, held_mass_, dt_s_)};
+  return {
+      .limit = LimitedMotions(robot_, result_.state) & wanted.commanded,
+      .tilt = TiltingMotions() & wanted.commanded,
+      .payload = payload_.Forbidden(result_.state, wanted, place_->disposal.held_mass(), dt_s_)};
 }
 
 void Simulator::Cast(MotionSet wanted) {
   place_->isectors.Silence(bearing_.motions());
-  place_->isectors.Cast(*place_->world, link_poses_, wanted | response_.Watched(), result_.step);
+  place_->isectors.Cast(place_->world, link_poses_, wanted | response_.Watched(), result_.step);
 }
 
 /// Drive motions that would tilt the robot too far; all of them once it rolls over.
 MotionSet Simulator::TiltingMotions() const {
   return result_.state.rolls_over ? kDriveMotions : tilt_guard_.refused();
+}
+
+/// What the lines found says to hands and charges.
+const MotionVerdict& Simulator::JudgeHands(const MotionDemand& wanted) {
+  return place_->disposal.Judge({.dt_s = dt_s_,
+                                 .state = &result_.state,
+                                 .X_ML = link_poses_,
+                                 .segments = place_->isectors.segments(),
+                                 .demand = &wanted,
+                                 .bodies = place_->bodies.states(),
+                                 .movable_of_object = place_->movable_of_object(),
+                                 .payload = payload_.Limit(link_poses_)},
+                                response_);
 }
 
 /// A flipper that is pressed on against the ground begins to bear.
@@ -205,17 +200,23 @@ void Simulator::PressFlippers(MotionSet wanted) {
 }
 
 /// Returns whether the robot moved.
-bool Simulator::Move(const MotionDemand& wanted, const Inhibition& inhibition) {
+bool Simulator::Move(const MotionDemand& wanted, const Inhibition& inhibition,
+                     const MotionVerdict& verdict) {
   MotionDemand allowed = wanted;
-  const MotionSet stopped = response_.blocked | inhibition.all();
+  const MotionSet stopped = (response_.blocked & ~verdict.let_through) | inhibition.all();
   if ((preset_run_.moving() & stopped) != 0) preset_run_.Stop();
   drives_.Halt(stopped);
   allowed.commanded &= ~stopped;
   for (int motion = 0; motion < kMotionCount; ++motion) {
-    if (!Contains(allowed.commanded, motion)) allowed.rate[motion] = 0;
+    double& rate = allowed.rate[motion];
+    if (!Contains(allowed.commanded, motion)) rate = 0;
+    if (Contains(verdict.let_through, motion)) rate = std::min(rate, verdict.most[motion]);
   }
-  allowed.left_hand_stopped = (allowed.commanded & response_.left_hand_blocked) != 0;
-  allowed.right_hand_stopped = (allowed.commanded & response_.right_hand_blocked) != 0;
+  const bool closes = Contains(allowed.commanded, kGripperClose);
+  allowed.left_hand_stopped = (allowed.commanded & response_.left_hand_blocked) != 0 ||
+                              (closes && verdict.left_hand_stopped);
+  allowed.right_hand_stopped = (allowed.commanded & response_.right_hand_blocked) != 0 ||
+                               (closes && verdict.right_hand_stopped);
   driven_ = allowed.commanded & kDriveMotions;
   const RobotState before = result_.state;
   result_.state = Advance(robot_, before, allowed, dt_s_);
@@ -229,73 +230,50 @@ bool Simulator::Move(const MotionDemand& wanted, const Inhibition& inhibition) {
 void Simulator::StandOnGround(const RobotState& before) {
   if (config_.coverage == Coverage::kExtended) {
     Stance& stance = place_->stance;
-    result_.state = stance.Stand(*place_->world, link_poses_, before, result_.state, dt_s_);
+    result_.state =
+        stance.Stand(place_->world, link_poses_, before, result_.state, dt_s_, HeldLoad());
     bearing_.Lift(robot_.stance, {stance.FlipperGap(0), stance.FlipperGap(1)});
     tilt_guard_.Update(robot_.stance, before.attitude, result_.state.attitude, driven_);
   } else {
-    place_->support.Cast(*place_->world, link_poses_, 0, result_.step);
+    place_->support.Cast(place_->world, link_poses_, 0, result_.step);
     result_.state = StandOn(place_->support.ground(), result_.state, dt_s_);
     result_.state.at_rest = result_.state.fall_speed == 0;
   }
   LinkPoses(robot_, result_.state, link_poses_);
 }
 
-void Simulator::Report(const OperatorCommand& command, const Wish& wish,
-                       const Inhibition& inhibition) {
-  result_.limit_flags = LimitFlags(robot_, result_.state);
-  result_.contact_parts = response_.contact_parts;
-  result_.command_sequence = command.sequence;
-  result_.inhibited =
-      (response_.blocked | inhibition.all() | wish.refused | command.inhibited) & kAllMotions;
-  result_.inhibit_reason = response_.blocked != 0       ? kReasonCollision
-                           : inhibition.tilt != 0       ? kReasonTilt
-                           : inhibition.payload != 0    ? kReasonPayload
-                           : inhibition.limit != 0      ? kReasonJointLimit
-                           : wish.reason != kReasonNone ? wish.reason
-                                                        : command.inhibit_reason;
+/// Charges, gripper and disrupter, and then everything that moves by itself.
+void Simulator::Dispose(const OperatorCommand& command) {
+  const DetonationCause before = result_.disposal.detonation;
+  result_.disposal =
+      place_->disposal.Advance({.dt_s = dt_s_,
+                                .step = result_.step,
+                                .state = &result_.state,
+                                .X_ML = link_poses_,
+                                .bodies = place_->bodies.states(),
+                                .movable_of_object = place_->movable_of_object(),
+                                .world = &place_->world,
+                                .panel = command.fire,
+                                .robot_is_still = result_.speed == 0 && result_.turn_rate == 0,
+                                .rolled_over = alarms_.IsActive(AlarmCode::kRollover)});
+  place_->MoveBodies(dt_s_, link_poses_);
+  const DisposalStatus& disposal = result_.disposal;
+  if (before == DetonationCause::kNone && disposal.detonation != before) {
+    explosion_.Ignite(disposal.detonation_point, static_cast<uint32_t>(scenario_.seed),
+                      disposal.robot_destroyed);
+  }
+  explosion_.Step(dt_s_);
+  const int charge = disposal.bomb_body;
+  result_.charge = charge < 0 ? Eigen::Vector3d::Zero().eval()
+                              : bodies()[static_cast<size_t>(charge)].X_MO.translation().eval();
 }
 
-void Simulator::UpdateAlarms(MotionSet wished, const Inhibition& inhibition) {
-  AlarmInputs inputs;
-  inputs.dt_s = dt_s_;
-  inputs.contact_parts = response_.contact_parts;
-  inputs.pushing = (wished & response_.blocked) != 0;
-  inputs.limit_flags = result_.limit_flags;
-  for (int motion = 0; motion < kMotionCount; ++motion) {
-    if (Contains(inhibition.limit, motion))
-      inputs.driven_joints |= 1u << JointOf(robot_, motion).joint;
-  }
-  const Attitude& attitude = result_.state.attitude;
-  inputs.tilt =
-      std::acos(std::clamp(std::cos(attitude.pitch) * std::cos(attitude.roll), -1.0, 1.0));
-  inputs.rolls_over = result_.state.rolls_over;
-  result_.alarm_changes.clear();
-  alarm_rules_.Update(inputs, alarms_, result_.alarm_changes);
-}
-
-void Simulator::UpdateTask(uint32_t contacts_before) {
-  const Ahead ahead = LookAhead(robot_, link_poses_, place_->isectors.segments());
-  const int first = response_.first_contact;
-  TaskInputs inputs;
-  inputs.dt_s = dt_s_;
-  inputs.state = &result_.state;
-  inputs.speed = result_.speed;
-  inputs.turn_rate = result_.turn_rate;
-  inputs.started = std::exchange(start_asked_, false);
-  inputs.ended = std::exchange(end_asked_, false);
-  inputs.new_contact = (response_.contact_parts & ~contacts_before) != 0;
-  inputs.in_contact = response_.contact_parts != 0;
-  inputs.rolled_over = alarms_.IsActive(AlarmCode::kRollover);
-  if (first >= 0) {
-    inputs.contact_object =
-        place_->world->ObjectName(place_->isectors.segments()[first].hit.object);
-  }
-  inputs.forward_clearance = ahead.clearance;
-  inputs.forward_object = place_->world->ObjectName(ahead.object);
-  const TaskStatus before = result_.task;
-  // A pause stops the exercise's clock too.
-  result_.task = paused_ ? place_->task.status() : place_->task.Advance(inputs);
-  result_.task_changed = !IsSame(before, result_.task);
+/// What the arm carries, for balance.
+Load Simulator::HeldLoad() const {
+  const int held = result_.disposal.held_body;
+  if (held < 0) return {};
+  return {.mass = place_->disposal.held_mass(),
+          .p_M = bodies()[static_cast<size_t>(held)].X_MO.translation()};
 }
 
 }  // namespace eod::sim

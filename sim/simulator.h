@@ -7,20 +7,17 @@
 #include "platform/time.h"
 #include "sim/alarms/alarm_rules.h"
 #include "sim/alarms/alarm_table.h"
-#include "sim/bodies/rigid_bodies.h"
-#include "sim/disposal/disposal_status.h"
 #include "sim/isectors/isector_set.h"
 #include "sim/motion/drives.h"
 #include "sim/motion/payload.h"
 #include "sim/motion/preset_run.h"
 #include "sim/operator_command.h"
+#include "sim/place.h"
+#include "sim/plume/explosion.h"
 #include "sim/response/response.h"
 #include "sim/robot/robot_model.h"
 #include "sim/stance/flipper_bearing.h"
-#include "sim/stance/stance.h"
 #include "sim/stance/tilt_guard.h"
-#include "sim/task/task.h"
-#include "sim/world/built_world.h"
 #include "sim/world/world_model.h"
 
 namespace eod::sim {
@@ -30,6 +27,7 @@ struct SimulatorConfig {
   Duration command_timeout = std::chrono::milliseconds(100);  ///< zero motion from this age on
   Coverage coverage = Coverage::kExtended;
   IsectorRules rules = {};
+  GraspMode grasp = GraspMode::kGuarded;
   Rules exercise = {};         ///< as LoadRules gives them; they must be loaded
   bool start_mission = false;  ///< the mission runs from the first step, without the menu
 };
@@ -49,6 +47,7 @@ struct StepResult {
   int32_t command_sequence = 0;
   std::vector<AlarmChange> alarm_changes;  ///< of this step
   DisposalStatus disposal;
+  Eigen::Vector3d charge = Eigen::Vector3d::Zero();  ///< where disposal.bomb_body is; 0 if none
   TaskStatus task;
   bool task_changed = false;  ///< apart from its clock
   bool operator==(const StepResult&) const = default;
@@ -57,10 +56,13 @@ struct StepResult {
 /// The simulator of one robot in one world. Pure: no socket, clock or thread inside.
 class Simulator {
  public:
-  /// `robot` and `world` must outlive the simulator. Throws std::runtime_error for a scenario that
-  /// does not fit the world, a period that is out of range, or rules that nobody loaded.
+  /// `world` must outlive the simulator; the robot is copied. Throws std::runtime_error for a
+  /// scenario that does not fit the world, a period that is out of range, or rules that nobody
+  /// loaded.
   Simulator(const RobotModel& robot, const WorldModel& world, const Scenario& scenario,
             const SimulatorConfig& config);
+  Simulator(const Simulator&) = delete;
+  Simulator& operator=(const Simulator&) = delete;
 
   /// Advances by one period. `now` is the scheduled moment of this step. Never throws, and
   /// allocates nothing.
@@ -70,26 +72,18 @@ class Simulator {
   const AlarmTable& alarms() const { return alarms_; }
   const Task& task() const { return place_->task; }
   const Scenario& scenario() const { return scenario_; }
-  const ModuleModel& module() const { return *place_->module; }
-  const World& world() const { return *place_->world; }
+  const ModuleModel& module() const { return place_->module(); }
+  const World& world() const { return place_->world; }
+  /// The movables of the module, in its order.
+  std::span<const BodyState> bodies() const { return place_->bodies.states(); }
+  /// Flash, fire and smoke.
+  const Explosion& explosion() const { return explosion_; }
   /// Segments of the last step, cast at the pose before it.
   const IsectorSet& isectors() const { return place_->isectors; }
   /// Contacts of the last step: one entry a cast segment, in the same order.
   const Response& response() const { return response_; }
 
  private:
-  /// A module that the menu can choose, built before the first step.
-  struct Place {
-    Place(const RobotModel& robot, const WorldModel& all, const ModuleModel& model,
-          const Scenario& scenario, const SimulatorConfig& config);
-    const ModuleModel* module;
-    std::unique_ptr<BuiltWorld> world;
-    IsectorSet isectors;  ///< all that the commanded motions load
-    IsectorSet support;   ///< TRIPOD alone, at the pose after the motion: Coverage::kPaper
-    Stance stance;        ///< the same for Coverage::kExtended
-    Task task;
-  };
-
   void ObeyMenu(const OperatorCommand& command);
   void EnterModule(int id);
   void StandAtStart();
@@ -104,15 +98,19 @@ class Simulator {
   MotionDemand Want(const Wish& wish);
   Inhibition Inhibit(const MotionDemand& wanted);
   void Cast(MotionSet wanted);
-  bool Move(const MotionDemand& wanted, const Inhibition& inhibition);
+  const MotionVerdict& JudgeHands(const MotionDemand& wanted);
+  bool Move(const MotionDemand& wanted, const Inhibition& inhibition, const MotionVerdict& verdict);
   MotionSet TiltingMotions() const;
   void PressFlippers(MotionSet wanted);
   void StandOnGround(const RobotState& before);
+  Load HeldLoad() const;
+  void Dispose(const OperatorCommand& command);
   void UpdateAlarms(MotionSet wished, const Inhibition& inhibition);
   void UpdateTask(uint32_t contacts_before);
   void Report(const OperatorCommand& command, const Wish& wish, const Inhibition& inhibition);
 
-  const RobotModel& robot_;
+  RobotModel robot_;  ///< with the lines of what the hand holds
+  int probe_;         ///< index of those in robot_.isectors
   Scenario scenario_;
   SimulatorConfig config_;
   double dt_s_;
@@ -124,7 +122,7 @@ class Simulator {
   AlarmTable alarms_;
   AlarmRules alarm_rules_;
   Response response_;
-  double held_mass_ = 0;  ///< [kg]
+  Explosion explosion_;
   FlipperBearing bearing_;
   TiltGuard tilt_guard_;
   MotionSet driven_ = 0;  ///< drive motions that acted in the last Move

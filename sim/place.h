@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/bodies/rigid_bodies.h"
+#include "sim/disposal/disposal.h"
+#include "sim/isectors/isector_set.h"
+#include "sim/stance/stance.h"
+#include "sim/task/task.h"
+#include "sim/world/built_world.h"
+
+namespace eod::sim {
+
+struct SimulatorConfig;
+
+/// A module that the menu can choose, built before the first step: its world, what moves in it, and
+/// the robot's senses there.
+class Place {
+ public:
+  /// `robot` and `model` must outlive it; `probe` as Disposal has it. Throws as Task does.
+  Place(RobotModel& robot, int probe, const WorldModel& all, const ModuleModel& model,
+        const Scenario& scenario, const SimulatorConfig& config);
+
+  /// Everything where it was at the start.
+  void Reset();
+
+  /// Carries out what disposal ordered, advances the bodies with the robot's links at `X_ML`, and
+  /// has the world follow them.
+  void MoveBodies(double dt_s, std::span<const Eigen::Isometry3d> X_ML);
+
+  const ModuleModel& module() const { return module_; }
+  std::span<const int> movable_of_object() const { return movable_of_object_; }
+
+  BuiltWorld world;
+  IsectorSet isectors;  ///< all that the commanded motions load
+  IsectorSet support;   ///< TRIPOD alone, at the pose after the motion: Coverage::kPaper
+  Stance stance;        ///< the same for Coverage::kExtended
+  RigidBodies bodies;
+  Disposal disposal;
+  Task task;
+
+ private:
+  void ObeyOrders();
+  void FollowBodies();
+
+  const ModuleModel& module_;
+  int probe_;
+  std::vector<int> movable_of_object_;
+  /// Where the world has each movable.
+  struct Shown {
+    Eigen::Isometry3d X_MO;
+    bool is_hidden = false;
+  };
+  std::vector<Shown> shown_;
+};
+
+}  // namespace eod::sim

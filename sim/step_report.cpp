@@ -1,0 +1,86 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim/look_ahead.h"
+#include "sim/simulator.h"
+
+namespace eod::sim {
+namespace {
+
+bool IsSame(TaskStatus a, const TaskStatus& b) {
+  a.elapsed_s = b.elapsed_s;
+  return a == b;
+}
+
+constexpr MotionSet kDriveMotions =
+    SetOf(kDriveForward) | SetOf(kDriveReverse) | SetOf(kTurnLeft) | SetOf(kTurnRight);
+
+}  // namespace
+
+void Simulator::Report(const OperatorCommand& command, const Wish& wish,
+                       const Inhibition& inhibition) {
+  result_.limit_flags = LimitFlags(robot_, result_.state);
+  result_.contact_parts = response_.contact_parts;
+  result_.command_sequence = command.sequence;
+  result_.inhibited =
+      (response_.blocked | inhibition.all() | wish.refused | command.inhibited) & kAllMotions;
+  const bool wrecked = result_.disposal.robot_destroyed;
+  if (wrecked) result_.inhibited = kAllMotions;
+  result_.inhibit_reason = wrecked                      ? kReasonNotReady
+                           : response_.blocked != 0     ? kReasonCollision
+                           : inhibition.tilt != 0       ? kReasonTilt
+                           : inhibition.payload != 0    ? kReasonPayload
+                           : inhibition.limit != 0      ? kReasonJointLimit
+                           : wish.reason != kReasonNone ? wish.reason
+                                                        : command.inhibit_reason;
+}
+
+void Simulator::UpdateAlarms(MotionSet wished, const Inhibition& inhibition) {
+  AlarmInputs inputs;
+  inputs.dt_s = dt_s_;
+  inputs.contact_parts = response_.contact_parts;
+  inputs.pushing = (wished & response_.blocked) != 0;
+  inputs.limit_flags = result_.limit_flags;
+  for (int motion = 0; motion < kMotionCount; ++motion) {
+    if (Contains(inhibition.limit, motion))
+      inputs.driven_joints |= 1u << JointOf(robot_, motion).joint;
+  }
+  const Attitude& attitude = result_.state.attitude;
+  inputs.tilt =
+      std::acos(std::clamp(std::cos(attitude.pitch) * std::cos(attitude.roll), -1.0, 1.0));
+  const DisposalStatus& disposal = result_.disposal;
+  inputs.charge_touched = disposal.touched;
+  inputs.charge_disturbed = disposal.disturbed;
+  inputs.charge_unstable = disposal.unstable;
+  inputs.detonated = disposal.detonation != DetonationCause::kNone;
+  inputs.rolls_over = result_.state.rolls_over;
+  result_.alarm_changes.clear();
+  alarm_rules_.Update(inputs, alarms_, result_.alarm_changes);
+}
+
+void Simulator::UpdateTask(uint32_t contacts_before) {
+  const Ahead ahead = LookAhead(robot_, link_poses_, place_->isectors.segments());
+  const int first = response_.first_contact;
+  TaskInputs inputs;
+  inputs.dt_s = dt_s_;
+  inputs.state = &result_.state;
+  inputs.speed = result_.speed;
+  inputs.turn_rate = result_.turn_rate;
+  inputs.started = std::exchange(start_asked_, false);
+  inputs.ended = std::exchange(end_asked_, false);
+  inputs.new_contact = (response_.contact_parts & ~contacts_before) != 0;
+  inputs.in_contact = response_.contact_parts != 0;
+  inputs.rolled_over = alarms_.IsActive(AlarmCode::kRollover);
+  if (first >= 0) {
+    inputs.contact_object = place_->world.ObjectName(place_->isectors.segments()[first].hit.object);
+  }
+  inputs.forward_clearance = ahead.clearance;
+  inputs.forward_object = place_->world.ObjectName(ahead.object);
+  const TaskStatus before = result_.task;
+  // A pause stops the exercise's clock too.
+  result_.task = paused_ ? place_->task.status() : place_->task.Advance(inputs);
+  result_.task_changed = !IsSame(before, result_.task);
+}
+
+}  // namespace eod::sim
