@@ -116,8 +116,9 @@ void RigidBodies::Engine::FollowGrips() {
   for (size_t i = 0; i < bodies_.size(); ++i) {
     if (!states_[i].is_held) continue;
     btRigidBody& body = bodies_[i].body();
-    body.setInterpolationWorldTransform(bodies_[i].ToBodyFrame(grips_[i].X_in_step));
-    body.setWorldTransform(bodies_[i].ToBodyFrame(grips_[i].X_now));
+    body.setWorldTransform(bodies_[i].ToBodyFrame(grips_[i].X_in_step));
+    body.setInterpolationWorldTransform(
+        bodies_[i].ToBodyFrame(PoseBefore(grips_[i].X_in_step, grips_[i].X_now)));
     grips_[i].X_in_step = grips_[i].X_now;
   }
 }
@@ -139,6 +140,7 @@ void RigidBodies::Engine::ReadState(size_t index) {
     state.X_MO = bodies_[index].X_MO();
     state.v_M = bodies_[index].Velocity(state.X_MO);
     state.w_M = FromBullet(bodies_[index].body().getAngularVelocity());
+    bodies_[index].WatchRest(state.X_MO);
     UpdateBox(index);
   } else if (was_moving) {
     state.v_M = state.w_M = Vector3d::Zero();

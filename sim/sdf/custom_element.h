@@ -24,7 +24,8 @@ namespace eod::sim {
 ///   collision  <eod:proxy kind="clamp|bump|both"/>: stood on, run into, or both (default)
 ///   world      <eod:module id name frame size_x_m size_y_m start_heading_deg/>: a training area;
 ///              its models are posed relative_to its frame, whose origin is the start pad
-///   model      <eod:movable friction="0.6" rolling_m="0.0005"/>: it is not static; Coulomb friction
+///   model      <eod:movable friction="0.6" rolling_m="0.0005"/>: it is not static; Coulomb
+///   friction
 ///              and lever of rolling resistance; <eod:explosive/>: it is a charge;
 ///              <eod:vessel kind="drum" inner_radius_m net_m rim_m/>,
 ///              <eod:vessel kind="chamber" inner_x_m inner_y_m net_m rim_m/>: a static model that
