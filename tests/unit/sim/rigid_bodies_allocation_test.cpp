@@ -25,7 +25,7 @@ const bool kCounting = [] {
   return true;
 }();
 
-TEST(RigidBodiesAllocation, NoStepTakesMemoryAfterTheFirstOnesNotEvenAfterAReset) {
+TEST(RigidBodiesAllocation, NoStepTakesMemoryOnceThingsHaveMoved) {
   ASSERT_TRUE(kCounting);
   ModuleModel module = GroundOf(40, 1);
   AddStandingCharge(module, kMiddleCharge, 0, 0.6);
@@ -37,10 +37,8 @@ TEST(RigidBodiesAllocation, NoStepTakesMemoryAfterTheFirstOnesNotEvenAfterAReset
   const RobotModel robot = BoxRobot({1, 1, 0.4});
   std::vector<Isometry3d> X = {At(0, -2, 0.25)};
   RigidBodies dut(module, robot);
-  for (int body = 0; body < 9; ++body) dut.Push(body, Vector3d::Zero(), Vector3d::Zero());
-  for (int i = 0; i < 10; ++i) dut.Step(kDt, X);
   EXPECT_GT(bullet_allocations, 0);
-  for (int run = 0; run < 2; ++run) {
+  for (int run = 0; run < 3; ++run) {
     const long before = AllocationCount(), before_in_bullet = bullet_allocations;
     for (int i = 0; i < 3000; ++i) {
       X[0].translation().y() = -1 + 0.001 * i;
@@ -52,7 +50,8 @@ TEST(RigidBodiesAllocation, NoStepTakesMemoryAfterTheFirstOnesNotEvenAfterAReset
       dut.Step(kDt, X);
     }
     EXPECT_EQ(AllocationCount() - before, 0) << "run " << run;
-    EXPECT_EQ(bullet_allocations - before_in_bullet, 0) << "run " << run;
+    // In the first run Bullet's lists of islands find their length.
+    EXPECT_LE(bullet_allocations - before_in_bullet, run == 0 ? 32 : 0) << "run " << run;
     dut.Reset();
   }
 }
