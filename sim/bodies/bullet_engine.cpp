@@ -38,7 +38,10 @@ void MeetUnlessHeld(btBroadphasePair& pair, btCollisionDispatcher& dispatcher,
 }  // namespace
 
 RigidBodies::Engine::Engine(const ModuleModel& module, const RobotModel& robot)
-    : objects_(module.movables), ground_mesh_(module.triangles), links_(robot) {
+    : objects_(module.movables),
+      ground_meshes_{GroundMesh(module.triangles, GroundMesh::Kind::kFloors),
+                     GroundMesh(module.triangles, GroundMesh::Kind::kWalls)},
+      links_(robot) {
   for (MovableObject& object : objects_) object.visuals.clear();
   space_.dispatcher.setNearCallback(MeetUnlessHeld);
   bodies_.reserve(objects_.size());
@@ -59,12 +62,14 @@ void RigidBodies::Engine::Reset() {
   space_.Reset();
   bodies_.clear();
   links_.Rebuild();
-  if (ground_mesh_.shape() != nullptr) {
-    btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, ground_mesh_.shape());
+  ground_.clear();
+  for (GroundMesh& mesh : ground_meshes_) {
+    if (mesh.shape() == nullptr) continue;
+    btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, mesh.shape());
     info.m_friction = 1;
-    ground_ = std::make_unique<btRigidBody>(info);
-    ground_->setUserIndex(kGroundIndex);
-    space_.world.addRigidBody(ground_.get(), kGroundGroup, kMovableGroup);
+    ground_.push_back(std::make_unique<btRigidBody>(info));
+    ground_.back()->setUserIndex(kGroundIndex);
+    space_.world.addRigidBody(ground_.back().get(), kGroundGroup, kMovableGroup);
   }
   for (size_t i = 0; i < links_.solids().size(); ++i) {
     btRigidBody* const body = links_.solids()[i].body.get();
