@@ -239,6 +239,13 @@ void SimNode::ShowScene(const StepResult& result) {
   snapshot_.module = result.module;
   snapshot_.camera_select = command_.camera_select;
   snapshot_.state = result.state;
+  snapshot_.movables.clear();
+  for (const BodyState& body : simulator_.bodies()) {
+    snapshot_.movables.push_back({.X_MO = body.X_MO, .is_visible = !body.is_gone});
+  }
+  const Explosion& explosion = simulator_.explosion();
+  snapshot_.quads.assign(explosion.quads().begin(), explosion.quads().end());
+  snapshot_.effects = explosion.effects();
   snapshot_.segments.clear();
   if (scene_output_.draw_isectors) {
     const auto segments = simulator_.isectors().segments();

@@ -48,7 +48,8 @@ StateCsv::StateCsv(std::ostream& out) : out_(out) {
   out_ << "step,time_us,module,x_m,y_m,z_m,heading_rad,pitch_rad,roll_rad,j1,j2,j3,j4,j5,j6,j7,j8,"
           "j9,"
           "left_m,right_m,speed_mps,turn_rps,inhibited,contact_parts,reason,alarms,mission,"
-          "mission_step,score\n";
+          "mission_step,score,grasp,bomb,charge_x_m,charge_y_m,charge_z_m,charge_tilt_rad,fire,"
+          "detonation\n";
 }
 
 void StateCsv::Write(const StepResult& result, const AlarmTable& alarms) {
@@ -73,6 +74,13 @@ void StateCsv::Write(const StepResult& result, const AlarmTable& alarms) {
   Append(line_, static_cast<int>(result.task.state));
   Append(line_, result.task.step);
   Append(line_, result.task.score);
+  const DisposalStatus& disposal = result.disposal;
+  Append(line_, static_cast<int>(disposal.grasp));
+  Append(line_, static_cast<int>(disposal.bomb));
+  for (const double metre : result.charge) Append(line_, metre);
+  Append(line_, disposal.bomb_tilt);
+  Append(line_, static_cast<int>(disposal.fire));
+  Append(line_, static_cast<int>(disposal.detonation));
   line_.back() = '\n';
   out_ << line_;
 }

@@ -38,7 +38,10 @@ void MeetUnlessHeld(btBroadphasePair& pair, btCollisionDispatcher& dispatcher,
 }  // namespace
 
 RigidBodies::Engine::Engine(const ModuleModel& module, const RobotModel& robot)
-    : objects_(module.movables), ground_mesh_(module.triangles), links_(robot) {
+    : objects_(module.movables),
+      ground_meshes_{GroundMesh(module.triangles, GroundMesh::Kind::kFloors),
+                     GroundMesh(module.triangles, GroundMesh::Kind::kWalls)},
+      links_(robot) {
   for (MovableObject& object : objects_) object.visuals.clear();
   space_.dispatcher.setNearCallback(MeetUnlessHeld);
   bodies_.reserve(objects_.size());
@@ -59,12 +62,14 @@ void RigidBodies::Engine::Reset() {
   space_.Reset();
   bodies_.clear();
   links_.Rebuild();
-  if (ground_mesh_.shape() != nullptr) {
-    btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, ground_mesh_.shape());
+  ground_.clear();
+  for (GroundMesh& mesh : ground_meshes_) {
+    if (mesh.shape() == nullptr) continue;
+    btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, mesh.shape());
     info.m_friction = 1;
-    ground_ = std::make_unique<btRigidBody>(info);
-    ground_->setUserIndex(kGroundIndex);
-    space_.world.addRigidBody(ground_.get(), kGroundGroup, kMovableGroup);
+    ground_.push_back(std::make_unique<btRigidBody>(info));
+    ground_.back()->setUserIndex(kGroundIndex);
+    space_.world.addRigidBody(ground_.back().get(), kGroundGroup, kMovableGroup);
   }
   for (size_t i = 0; i < links_.solids().size(); ++i) {
     btRigidBody* const body = links_.solids()[i].body.get();
@@ -116,8 +121,9 @@ void RigidBodies::Engine::FollowGrips() {
   for (size_t i = 0; i < bodies_.size(); ++i) {
     if (!states_[i].is_held) continue;
     btRigidBody& body = bodies_[i].body();
-    body.setInterpolationWorldTransform(bodies_[i].ToBodyFrame(grips_[i].X_in_step));
-    body.setWorldTransform(bodies_[i].ToBodyFrame(grips_[i].X_now));
+    body.setWorldTransform(bodies_[i].ToBodyFrame(grips_[i].X_in_step));
+    body.setInterpolationWorldTransform(
+        bodies_[i].ToBodyFrame(PoseBefore(grips_[i].X_in_step, grips_[i].X_now)));
     grips_[i].X_in_step = grips_[i].X_now;
   }
 }
@@ -139,6 +145,7 @@ void RigidBodies::Engine::ReadState(size_t index) {
     state.X_MO = bodies_[index].X_MO();
     state.v_M = bodies_[index].Velocity(state.X_MO);
     state.w_M = FromBullet(bodies_[index].body().getAngularVelocity());
+    bodies_[index].WatchRest(state.X_MO);
     UpdateBox(index);
   } else if (was_moving) {
     state.v_M = state.w_M = Vector3d::Zero();

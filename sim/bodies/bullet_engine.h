@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <vector>
@@ -53,9 +54,9 @@ class RigidBodies::Engine {
 
   BulletSpace space_;
   std::vector<MovableObject> objects_;
-  GroundMesh ground_mesh_;
+  std::array<GroundMesh, 2> ground_meshes_;
   LinkBodies links_;
-  std::unique_ptr<btRigidBody> ground_;
+  std::vector<std::unique_ptr<btRigidBody>> ground_;
   std::vector<MovableBody> bodies_;
   std::vector<BodyState> states_;
   std::vector<Grip> grips_;

@@ -1,14 +1,27 @@
 #include "sim/bodies/ground_mesh.h"
 
+#include <cmath>
+
 #include "sim/geometry/object_class.h"
 #include "sim/world/bullet_shapes.h"
 
 namespace eod::sim {
 
-GroundMesh::GroundMesh(std::span<const CollisionTriangle> triangles) {
+namespace {
+
+/// Steeper than 45 degrees.
+bool IsWall(const Triangle& corner) {
+  const Eigen::Vector3d n = (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+  return std::abs(n.z()) < n.head<2>().norm();
+}
+
+}  // namespace
+
+GroundMesh::GroundMesh(std::span<const CollisionTriangle> triangles, Kind kind) {
   for (const CollisionTriangle& triangle : triangles) {
     // The ramps that stand for stairs are no surface that a thing could lie on.
     if ((triangle.class_mask & kBumpProxy) == 0) continue;
+    if (IsWall(triangle.corner) != (kind == Kind::kWalls)) continue;
     const auto& [a, b, c] = triangle.corner;
     mesh_.addTriangle(ToBullet(a), ToBullet(b), ToBullet(c));
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -9,10 +10,15 @@
 
 namespace eod::sim {
 
-/// What stands still, for Bullet: all triangles that things run into.
+/// What stands still, for Bullet: the triangles that things run into, of floors or of walls. Bullet
+/// keeps four points of contact with a mesh; a thing that lies on a floor and leans on a wall needs
+/// those of both to come to rest.
 class GroundMesh {
  public:
-  explicit GroundMesh(std::span<const CollisionTriangle> triangles);
+  enum class Kind : uint8_t { kFloors, kWalls };
+  GroundMesh(std::span<const CollisionTriangle> triangles, Kind kind);
+  GroundMesh(const GroundMesh&) = delete;  // the shape knows where the mesh is
+  GroundMesh& operator=(const GroundMesh&) = delete;
 
   /// nullptr without triangles.
   btCollisionShape* shape() { return shape_.get(); }

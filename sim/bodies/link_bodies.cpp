@@ -128,10 +128,10 @@ void LinkBodies::Follow(std::span<const Isometry3d> X_ML) {
     const auto link = static_cast<size_t>(solid.link);
     btRigidBody& body = *solid.body;
     const bool moves = !IsSame(last_[link], X_ML[link]);
-    const bool is_there = placed_ && IsSame(in_bullet_[link], X_ML[link]);
-    if (moves || !is_there) body.setWorldTransform(ToBullet(X_ML[link] * solid.X_LS));
-    // Bullet takes the velocity from these two poses, and asks only of those that are awake.
-    body.setInterpolationWorldTransform(moves ? ToBullet(last_[link] * solid.X_LS)
+    const bool is_there = placed_ && IsSame(in_bullet_[link], last_[link]);
+    const Isometry3d X_MS = last_[link] * solid.X_LS;
+    if (!is_there) body.setWorldTransform(ToBullet(X_MS));
+    body.setInterpolationWorldTransform(moves ? ToBullet(PoseBefore(X_MS, X_ML[link] * solid.X_LS))
                                               : body.getWorldTransform());
     if (!moves) {
       body.setLinearVelocity(btVector3(0, 0, 0));
@@ -139,7 +139,7 @@ void LinkBodies::Follow(std::span<const Isometry3d> X_ML) {
     }
     body.forceActivationState(moves || !is_there ? ACTIVE_TAG : ISLAND_SLEEPING);
   }
-  std::copy(X_ML.begin(), X_ML.end(), in_bullet_.begin());
+  std::copy(last_.begin(), last_.end(), in_bullet_.begin());
   placed_ = true;
 }
 

@@ -1,14 +1,25 @@
 #include "sim/bodies/movable_body.h"
 
+#include <numbers>
+
 namespace eod::sim {
 
 namespace {
 
-// A thing that for two seconds (Bullet's own time) is slower than this is at rest.
-constexpr double kRestSpeed = 0.005;  // [m/s]
-constexpr double kRestTurn = 0.02;    // [rad/s]
+// A thing that for two seconds (Bullet's own time) stays within this is at rest. By pose, not by
+// speed: where contact points come and go, speeds jump and poses do not.
+constexpr double kRestShift = 1e-3;  // [m]
+constexpr double kRestTurn = 0.01;   // [rad]
+constexpr double kAnySpeed = 1e6;    // so that Bullet does not judge by speed
 
 }  // namespace
+
+Eigen::Isometry3d PoseBefore(const Eigen::Isometry3d& X_now, const Eigen::Isometry3d& X_next) {
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  X.linear() = X_now.linear() * X_next.linear().transpose() * X_now.linear();
+  X.translation() = 2 * X_now.translation() - X_next.translation();
+  return X;
+}
 
 MovableBody::MovableBody(const MovableObject& object) : mass_(object.mass) {
   const MassProperties properties = MassPropertiesOf(object);
@@ -35,8 +46,8 @@ MovableBody::MovableBody(const MovableObject& object) : mass_(object.mass) {
   info.m_friction = object.friction;
   info.m_rollingFriction = object.rolling;
   info.m_restitution = 0;
-  info.m_linearSleepingThreshold = kRestSpeed;
-  info.m_angularSleepingThreshold = kRestTurn;
+  info.m_linearSleepingThreshold = kAnySpeed;
+  info.m_angularSleepingThreshold = kAnySpeed;
   body_ = std::make_unique<btRigidBody>(info);
   body_->forceActivationState(ISLAND_SLEEPING);
 }
@@ -45,6 +56,16 @@ Eigen::Vector3d MovableBody::Velocity(const Eigen::Isometry3d& X_MO) const {
   const btVector3 lever =
       ToBullet(Eigen::Vector3d(X_MO.translation())) - body_->getCenterOfMassPosition();
   return FromBullet(body_->getVelocityInLocalPoint(lever));
+}
+
+void MovableBody::WatchRest(const Eigen::Isometry3d& X_MO) {
+  const double shift = (X_MO.translation() - X_rest_.translation()).norm();
+  // For small angles the matrices differ by sqrt(2) times the angle.
+  const double turn = (X_MO.linear() - X_rest_.linear()).norm() / std::numbers::sqrt2;
+  if (shift <= kRestShift && turn <= kRestTurn) return;
+  X_rest_ = X_MO;
+  body_->setDeactivationTime(0);
+  body_->forceActivationState(ACTIVE_TAG);
 }
 
 void MovableBody::Hold() {

@@ -16,6 +16,11 @@ namespace eod::sim {
 /// charge of 60 mm diameter tips by half a degree, this half as much.
 inline constexpr double kSolidMargin = 0.5e-3;
 
+/// Where a thing was a step before `X_now` if it goes on evenly to `X_next`. Bullet takes the
+/// velocity of what others move from the pose before and the pose now, and moves it on by itself in
+/// thought.
+Eigen::Isometry3d PoseBefore(const Eigen::Isometry3d& X_now, const Eigen::Isometry3d& X_next);
+
 /// One movable object as a rigid body of Bullet.
 class MovableBody {
  public:
@@ -30,6 +35,10 @@ class MovableBody {
   Eigen::Vector3d Velocity(const Eigen::Isometry3d& X_MO) const;
   btTransform ToBodyFrame(const Eigen::Isometry3d& X_MO) const { return ToBullet(X_MO * X_OB_); }
 
+  /// Tells Bullet whether it moves at all: after two seconds without, all that touch each other
+  /// fall asleep. To be called once a step.
+  void WatchRest(const Eigen::Isometry3d& X_MO);
+
   /// Follows poses that others set; nothing pushes it.
   void Hold();
   /// Moves by itself again, with the velocity that leads from one pose to the other in dt_s.
@@ -39,6 +48,7 @@ class MovableBody {
   double mass_;
   btVector3 inertia_;
   Eigen::Isometry3d X_OB_, X_BO_;
+  Eigen::Isometry3d X_rest_ = Eigen::Isometry3d::Identity();  ///< near which it has been of late
   std::vector<BulletShapePointer> parts_;
   std::unique_ptr<btCompoundShape> compound_;
   std::unique_ptr<btRigidBody> body_;

@@ -95,7 +95,8 @@ SdfGeometry ToGeometry(const sdf::Geometry& geometry, const std::vector<CustomEl
     case sdf::GeometryType::MESH:
       return {.mesh = ReadScaledMesh(*geometry.MeshShape(), file), .solid = std::nullopt};
     default:
-      FailAt(file, LineOf(owner), "geometry: allowed are box, cylinder, sphere, capsule, plane, mesh");
+      FailAt(file, LineOf(owner),
+             "geometry: allowed are box, cylinder, sphere, capsule, plane, mesh");
   }
 }
 

@@ -99,8 +99,7 @@ MovableObject ReadMovable(const SdfModel& model, uint32_t module_bit,
   }
   const CustomElement* explosive = FindElement(model.customs, "explosive");
   if (explosive != nullptr) object.explosive = ReadExplosive(*explosive, object);
-  object.object_class =
-      module_bit | kBumpProxy | (object.explosive ? kBombObject : kMovableObject);
+  object.object_class = module_bit | kBumpProxy | (object.explosive ? kBombObject : kMovableObject);
   return object;
 }
 

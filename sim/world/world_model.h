@@ -46,7 +46,7 @@ struct MovableObject {
   Eigen::Isometry3d X_MO = Eigen::Isometry3d::Identity();  ///< at the start, in the module's frame
   double mass = 0;                                         ///< [kg]
   Eigen::Vector3d p_OC = Eigen::Vector3d::Zero();          ///< centre of mass [m]
-  double friction = 0;     ///< Coulomb, against ground and robot; among movables the product
+  double friction = 0;      ///< Coulomb, against ground and robot; among movables the product
   double rolling = 0.0005;  ///< [m] lever of the rolling resistance [E]: 0.8 % at a 60 mm radius
   std::vector<MovablePart> parts;
   std::vector<Visual> visuals;

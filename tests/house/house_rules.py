@@ -70,7 +70,7 @@ class Privilege:
 PRIVILEGES = (
     Privilege("only sim/sdf includes SDFormat", r"sim/sdf/|tests/", headers=r"(sdf|ignition|gz)/"),
     Privilege("only sim/camera includes OpenGL", r"sim/camera/|tests/", headers=r"(GL|GLES\d?|EGL)/"),
-    Privilege("only sim/world and sim/bodies include Bullet", r"sim/(world|bodies)/|tests/bench/",
+    Privilege("only sim/world and sim/bodies include Bullet", r"sim/(world|bodies)/|tests/",
               headers=r"(bullet/|Bullet(Collision|Dynamics|SoftBody)/|LinearMath/|bt[A-Z])"),
     Privilege("only tests/bench includes Embree and OpenSceneGraph", r"tests/bench/",
               headers=r"(embree\d*|osg[A-Za-z]*|OpenThreads)/"),

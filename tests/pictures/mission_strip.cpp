@@ -29,6 +29,7 @@ struct Options {
   std::string script;
   std::string output = "strip.png";
   std::vector<std::string> moments;
+  std::string states;  // file for the states of every step; none if empty
   int columns = 3;
 };
 
@@ -90,6 +91,8 @@ void Run(const Options& options) {
   const std::vector<uint8_t> png = recorder::EncodePng(sheet.picture());
   std::ofstream(options.output, std::ios::binary)
       .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+  mission.Run(std::chrono::minutes(30));
+  if (!options.states.empty()) std::ofstream(options.states) << mission.states();
   if (mission.box().script_failure()) fmt::print("{}\n", *mission.box().script_failure());
   fmt::print("{}: {} pictures, {} bytes\n", options.output, count, png.size());
 }
@@ -104,6 +107,7 @@ int main(int argc, char** argv) {
   app.add_option("--script", options.script, "operator script")->required();
   app.add_option("--at", options.moments, "SECONDS:CAMERA:CAPTION, in the order of time")
       ->required();
+  app.add_option("--states", options.states, "write every state of the run there, as CSV");
   app.add_option("--columns", options.columns)->check(CLI::Range(1, 8));
   app.add_option("--output", options.output);
   CLI11_PARSE(app, argc, argv);

@@ -31,7 +31,7 @@ TEST(StateCsv, EveryLineHasEveryColumn) {
   std::istringstream lines(Record(3));
   std::string line;
   while (std::getline(lines, line)) {
-    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 28) << line;
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 36) << line;
   }
 }
 

@@ -35,7 +35,7 @@ inline ModuleModel GroundOf(double size, double cell = 2) {
 inline int AddMovable(ModuleModel& module, const Shape& shape, double mass,
                       const Eigen::Isometry3d& X_MO, double friction = kFriction) {
   MovableObject object;
-  object.name = "thing";
+  object.name = std::string("thing");
   object.object_class = kModuleBomb | kBumpProxy | kMovableObject;
   object.X_MO = X_MO;
   object.mass = mass;
@@ -50,7 +50,7 @@ inline int AddCharge(ModuleModel& module, const CylinderSize& size, const Eigen:
   const int body =
       AddMovable(module, Shape::Cylinder(size.radius, size.height), size.mass, X_MO, friction);
   MovableObject& object = module.movables.back();
-  object.name = size.name;
+  object.name = std::string(size.name);
   object.object_class = kModuleBomb | kBumpProxy | kBombObject;
   object.explosive = ExplosiveSpec{size.radius, size.height / 2};
   return body;

@@ -42,6 +42,11 @@ TEST(Mesh, SphereComesCloseFromInside) {
   EXPECT_GT(Volume(SphereMesh(1, 16, 32)), 0.97 * whole);
 }
 
+TEST(Mesh, CapsuleIsItsSphereAndItsPrism) {
+  const double sphere = Volume(SphereMesh(0.5, 8, 24)), prism = Volume(CylinderMesh(0.5, 2, 24));
+  EXPECT_NEAR(Volume(CapsuleMesh(0.5, 2, 8, 24)), sphere + prism, 1e-12);
+}
+
 TEST(Mesh, PlaneIsCutIntoCellsThatFaceUp) {
   const Mesh mesh = PlaneMesh(10, 4, 2);
   EXPECT_EQ(mesh.size(), 5u * 2u * 2u);

@@ -104,9 +104,10 @@ TEST_F(WorldErrors, ProxyKindsReachTheTriangles) {
   EXPECT_EQ(world.Module(1).triangles.back().class_mask, kModuleFlat | kClampProxy | kBumpProxy);
 }
 
-TEST_F(WorldErrors, ModelThatMayMoveIsRefusedForNow) {
+TEST_F(WorldErrors, ModelThatNobodyCalledMovableIsRefused) {
   world_.Replace("<static>true</static>", "<static>false</static>");
-  EXPECT_THAT(Load(), AllOf(StartsWith(world_.PlaceOf("<model")), HasSubstr("needs <static>true")));
+  EXPECT_THAT(Load(), AllOf(StartsWith(world_.PlaceOf("<model")), HasSubstr("needs <static>true"),
+                            HasSubstr("<eod:movable friction")));
 }
 
 }  // namespace
