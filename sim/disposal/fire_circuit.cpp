@@ -83,6 +83,8 @@ bool FireCircuit::Advance(const FirePanel& panel, bool robot_is_still, int64_t s
   const bool armed = panel.arm_key == kArmedOrPressed;
   const bool is_over =
       state_ == FireState::kFault || state_ == FireState::kFired || state_ == FireState::kTimeOut;
+  key_was_safe_ = key_was_safe_ || !armed;
+  if (!key_was_safe_) return false;
   if (is_over ? IsAtRest(panel) : !armed) {
     state_ = FireState::kSafe;
     nonce_ = 0;

@@ -46,6 +46,7 @@ class FireCircuit {
   uint64_t seed_;
   FireState state_ = FireState::kSafe;
   bool has_spoken_ = false;
+  bool key_was_safe_ = false;
   double armed_s_ = 0;
   Button left_, right_;
   double held_s_ = 0;  ///< both, with everything right

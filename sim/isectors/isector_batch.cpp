@@ -2,6 +2,12 @@
 
 namespace eod::sim {
 
+void IsectorBatch::Reserve(size_t segments) {
+  sources_.reserve(segments);
+  queries_.reserve(segments);
+  hits_.reserve(segments);
+}
+
 void IsectorBatch::CastIsectors(std::span<Isector> isectors, const World& world, int64_t step) {
   Collect(isectors);
   hits_.resize(queries_.size());

@@ -12,6 +12,9 @@ class IsectorBatch {
  public:
   IsectorBatch() { memory_.surroundings.Reserve(); }
 
+  /// Takes the memory for casts of so many segments now.
+  void Reserve(size_t segments);
+
   /// Casts the enabled segments of all enabled `isectors` from their poses, in one call of
   /// `world`. Each isector is one group, so that its segments are culled together. Afterwards
   /// those isectors can be read for `step`, which is 0 or more. Allocates only where this cast is

@@ -33,6 +33,7 @@ IsectorSet::IsectorSet(const RobotModel& model, uint32_t module_bit, Coverage co
     most += spec.segments.size();
   }
   segments_.reserve(most);
+  batch_.Reserve(most);
 }
 
 void IsectorSet::Cast(const World& world, std::span<const Eigen::Isometry3d> X_ML,

@@ -114,5 +114,24 @@ TEST(AlarmRules, TiltAndRolloverFollowTheInclination) {
   EXPECT_THAT(active(45.1), ElementsAre(AlarmCode::kRollover));
 }
 
+TEST(AlarmRules, ChargeIsToldWhenTouchedOrDisturbedUnstableAndBlown) {
+  constexpr uint32_t kBomb = 1u << static_cast<int>(Part::kHeldBomb);
+  Board dut;
+  AlarmInputs inputs;
+  inputs.charge_touched = true;
+  EXPECT_THAT(dut.Step(inputs), ElementsAre(AlarmChange{AlarmCode::kBombTouched, true, kBomb}));
+  inputs.charge_touched = false;
+  inputs.charge_disturbed = true;  // let go of, but leaning
+  EXPECT_THAT(dut.Step(inputs), IsEmpty());
+  inputs.charge_unstable = true;
+  EXPECT_THAT(dut.Step(inputs), ElementsAre(AlarmChange{AlarmCode::kBombUnstable, true, kBomb}));
+  inputs = {};
+  inputs.detonated = true;
+  EXPECT_THAT(dut.Step(inputs), ElementsAre(AlarmChange{AlarmCode::kBombTouched, false, kBomb},
+                                            AlarmChange{AlarmCode::kBombUnstable, false, kBomb},
+                                            AlarmChange{AlarmCode::kDetonation, true, kBomb}));
+  EXPECT_EQ(dut.table.active().front().code, AlarmCode::kDetonation);
+}
+
 }  // namespace
 }  // namespace eod::sim

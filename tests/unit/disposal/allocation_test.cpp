@@ -2,6 +2,7 @@
 
 #include "tests/unit/counting_new.h"
 #include "tests/unit/disposal/bench.h"
+#include "tests/unit/sim/random_scene.h"
 
 namespace eod::sim {
 namespace {
@@ -36,6 +37,23 @@ TEST(Disposal, AllocatesNothingFromTheFirstGraspToTheLastShot) {
   EXPECT_EQ(after - before, 0);
   EXPECT_EQ(released, 0);
   EXPECT_EQ(bench.dut.status().held_body, -1);
+}
+
+TEST(Shot, AllocatesNothingInAWorldOfTriangles) {
+  ModuleModel module = BombModule({CylinderM()});
+  AddObject(module, "ground", kModuleBomb | kClampProxy | kBumpProxy, PlaneMesh(60, 60, 0.5));
+  const std::unique_ptr<World> world = BuildWorld(module);
+  const std::vector<BodyState> bodies(1);
+  const std::vector<int> movables = {-1};
+  CastMemory memory;
+  memory.surroundings.Reserve();
+  Eigen::Isometry3d X_MB(Eigen::Translation3d(0, 0, 1));
+  X_MB.rotate(Eigen::AngleAxisd(-0.1, Eigen::Vector3d::UnitX()));
+  const long before = AllocationCount();
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_FALSE(ShotFrom(X_MB, *world, module, bodies, movables, TheRules().disrupter, memory));
+  }
+  EXPECT_EQ(AllocationCount(), before);
 }
 
 }  // namespace

@@ -47,6 +47,17 @@ TEST_F(Firing, APanelThatNeverSpokeIsSafe) {
   EXPECT_EQ(dut_.nonce(), 0);
 }
 
+TEST_F(Firing, AKeyThatWasArmedFromTheStartHasToBeTurnedBackFirst) {
+  panel_ = {.arm_key = 2, .fire_left = 1, .fire_right = 1, .circuit = 1};
+  Step(2 * kSecond);
+  EXPECT_EQ(dut_.state(), FireState::kSafe);
+  panel_.arm_key = 1;
+  Step();
+  panel_.arm_key = 2;
+  Step();
+  EXPECT_EQ(dut_.state(), FireState::kArmedWait);
+}
+
 TEST_F(Firing, ArmedForASecondItIsReady) {
   Arm();
   EXPECT_EQ(dut_.state(), FireState::kReady);

@@ -125,5 +125,24 @@ TEST_F(IsectorSetTest, ModuleMasksLeaveAFifthOfFiveEqualModules) {
   }
 }
 
+TEST_F(IsectorSetTest, TakesOverLinesOfTheModelThatHaveChanged) {
+  RobotModel robot = Robot();
+  const int b1 = FindIsector(robot, "B1");
+  IsectorSet dut(robot, kModuleFlat);
+  SegmentSpec& line = robot.isectors[b1].segments[0];
+  line.start = {0, 0, 3};
+  line.enabled = true;
+  dut.Reload(b1);
+  Cast(dut, kAllMotions, 1);
+  std::vector<Eigen::Isometry3d> X_ML;
+  LinkPoses(robot, HomeState(robot), X_ML);
+  const Eigen::Isometry3d X_MI = X_ML[robot.isectors[b1].link] * robot.isectors[b1].X_LI;
+  for (const CastSegment& cast : dut.segments()) {
+    if (cast.isector != b1 || cast.segment != 0) continue;
+    EXPECT_TRUE(cast.query.start.isApprox(X_MI * line.start, 1e-12));
+  }
+  EXPECT_THROW(dut.Reload(1000), std::out_of_range);
+}
+
 }  // namespace
 }  // namespace eod::sim

@@ -252,6 +252,19 @@ TEST_F(IsectorTest, LengthCanBeChangedBetweenCasts) {
   EXPECT_THROW(dut.SetLength(1, 1), std::out_of_range);
 }
 
+TEST_F(IsectorTest, ALineCanBeReplacedBetweenCasts) {
+  world_.AddPlane("wall", kWall, {0, 2, 0}, -Vector3d::UnitY());
+  Isector dut = MakeLos("sight", 1);
+  dut.SetSegment(0, {.start = {0, 1.5, 0}, .direction = Vector3d::UnitY(), .length = 1});
+  Cast(dut, 1);
+  EXPECT_DOUBLE_EQ(dut.Hit(0, 1).range, 0.5);
+  dut.SetSegment(0, {.direction = -Vector3d::UnitY(), .length = 5});
+  Cast(dut, 2);
+  EXPECT_FALSE(dut.Hit(0, 2).hit);
+  EXPECT_THROW(dut.SetSegment(0, {.direction = {0, 2, 0}}), std::invalid_argument);
+  EXPECT_THROW(dut.SetSegment(1, {}), std::out_of_range);
+}
+
 TEST(IsectorErrors, NameTheIsectorAndTheValue) {
   const auto volume = [](size_t count, const IsectorSegment& segment) {
     return [=] { MakeVolume("V1", std::vector<IsectorSegment>(count, segment)); };
