@@ -36,8 +36,8 @@ Image PaintPuff() {
       const float lumps = TilingFbm(u * kLumps, v * kLumps, kLumps, 3, kSeed);
       const float shade = TilingFbm(u * kLumps, v * kLumps, kLumps, 3, kSeed + 9);
       // Lumps eat into the rim; the very edge is clear whatever they do.
-      const float alpha =
-          SmoothStep(1.0F, 0.25F, radius + 0.9F * (lumps - 0.5F)) * SmoothStep(1.0F, 0.8F, radius);
+      const float alpha = SmoothStep(1.0F, 0.25F, radius + 0.9F * (lumps - 0.5F)) *
+                          SmoothStep(0.96F, 0.75F, radius);
       uint8_t* pixel = &image.rgba[static_cast<size_t>(4 * (y * kSide + x))];
       std::fill_n(pixel, 3, ToByte(0.62F + 0.7F * (shade - 0.5F)));
       pixel[3] = ToByte(alpha);

@@ -193,6 +193,17 @@ TEST_F(SimNodeTest, ScenesAreShownAtTheCamerasRateNotAtTheStepsRate) {
   }
 }
 
+TEST_F(SimNodeTest, ScenesCarryTheOperatorsCamera) {
+  std::vector<SceneSnapshot> scenes;
+  dut_->SetSceneOutput({.show = [&](const SceneSnapshot& scene) { scenes.push_back(scene); },
+                        .period = milliseconds(4)});
+  Tick(1);
+  EXPECT_EQ(scenes.back().camera_select, 1) << "drive before anything was heard";
+  command_.camera_select = 2;
+  Command({}, 2);
+  EXPECT_EQ(scenes.back().camera_select, 2);
+}
+
 class IsectorNodeTest : public SimNodeTest {
  protected:
   IsectorNodeTest() : SimNodeTest({.channel_prefix = kPrefix, .publish_isectors = true}) {}

@@ -61,6 +61,23 @@ struct Measured {
   DrawCounters most;
 };
 
+/// The worst plume: as many quads as there can be, so large that they reach the caps of the
+/// renderer, in view of both cameras.
+void AddPlume(SceneSnapshot& snapshot) {
+  const Eigen::Matrix3d R_MB = ToRotation(snapshot.state.attitude);
+  for (int i = 0; i < 32; ++i) {
+    const Eigen::Vector3d p_BQ(0.02 * i - 0.32, 3 + 0.02 * i, 0.5);
+    snapshot.quads.push_back({.p_M = (snapshot.state.position + R_MB * p_BQ).cast<float>(),
+                              .half_size = 3,
+                              .colour = {0.2F, 0.2F, 0.2F},
+                              .alpha = 0.5F,
+                              .angle = 0.2F * static_cast<float>(i),
+                              .cover = 1});
+  }
+  // Its shadows are to be drawn anew, as they were for the picture without.
+  snapshot.state.position.z() += 1e-6;
+}
+
 /// A circle of 6 m radius around the start pad, the head looking about.
 SceneSnapshot OnTheWay(const RobotModel& robot, int picture, int pictures) {
   const double turn = 2 * std::numbers::pi * picture / pictures;
@@ -82,20 +99,25 @@ void Run(const Options& options) {
              std::chrono::duration<double, std::milli>(Clock::now() - begin).count());
   JpegEncoder encoder(options.width, options.height, 80);
   std::map<std::string, Measured> measured;
+  const auto measure = [&](const SceneSnapshot& snapshot, const char* name, const char* what) {
+    Measured& one = measured[fmt::format("{}{}", name, what)];
+    const Clock::time_point start = Clock::now();
+    const auto& pixels = camera.Take(snapshot, name);
+    const Clock::time_point rendered = Clock::now();
+    one.bytes += encoder.Encode(pixels).size();
+    one.render.Add(rendered - start);
+    one.compress.Add(Clock::now() - rendered);
+    one.most.triangles = std::max(one.most.triangles, camera.counters().triangles);
+    one.most.draw_calls = std::max(one.most.draw_calls, camera.counters().draw_calls);
+  };
   for (int picture = 0; picture < options.pictures; ++picture) {
-    const SceneSnapshot snapshot = OnTheWay(robot, picture, options.pictures);
+    SceneSnapshot snapshot = OnTheWay(robot, picture, options.pictures);
     // As the simulator does: both cameras show one moment, the first one renders its shadow.
-    for (const char* name : {"drive", "mast"}) {
-      Measured& one = measured[name];
-      const Clock::time_point start = Clock::now();
-      const auto& pixels = camera.Take(snapshot, name);
-      const Clock::time_point rendered = Clock::now();
-      one.bytes += encoder.Encode(pixels).size();
-      one.render.Add(rendered - start);
-      one.compress.Add(Clock::now() - rendered);
-      one.most.triangles = std::max(one.most.triangles, camera.counters().triangles);
-      one.most.draw_calls = std::max(one.most.draw_calls, camera.counters().draw_calls);
-    }
+    for (const char* name : {"drive", "mast"}) measure(snapshot, name, "");
+    AddPlume(snapshot);
+    for (const char* name : {"drive", "mast"}) measure(snapshot, name, " with plume");
+    snapshot.effects = {.noise = 1, .seed = static_cast<uint32_t>(picture)};
+    measure(snapshot, "drive", " dead");
   }
   for (auto& [name, one] : measured) {
     fmt::print("{}: render and readback [ms: best tenth, median, p99] {}\n", name,

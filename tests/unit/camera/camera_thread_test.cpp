@@ -16,6 +16,7 @@ using std::chrono::milliseconds;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
+using ::testing::UnorderedElementsAre;
 
 struct TakenPicture {
   std::string camera;
@@ -114,6 +115,27 @@ TEST_F(CameraThreadTest, ForgetsAllButTheNewestSnapshotWhileItDraws) {
   const auto pictures = album_.WaitFor(2);
   EXPECT_EQ(pictures[1].time, TimePoint{milliseconds(1000)});
   EXPECT_EQ(dut.pictures(), 2U);
+}
+
+TEST_F(CameraThreadTest, RendersTheCamerasThatTheOperatorChose) {
+  RobotModel robot = robot_;
+  for (const char* name : {"gripper", "rear"}) {
+    robot.cameras.push_back(robot.cameras[0]);
+    robot.cameras.back().name = name;
+  }
+  CameraThread dut(robot, world_, Small({"drive", "gripper", "mast", "rear"}), album_.sink());
+  const auto cameras_for = [&](int choice, milliseconds time, size_t before) {
+    SceneSnapshot snapshot = Snapshot(time);
+    snapshot.camera_select = choice;
+    dut.Show(snapshot);
+    std::vector<std::string> names;
+    for (const TakenPicture& picture : album_.WaitFor(before + 2)) names.push_back(picture.camera);
+    return std::vector<std::string>(names.begin() + static_cast<std::ptrdiff_t>(before),
+                                    names.end());
+  };
+  EXPECT_THAT(cameras_for(1, milliseconds(0), 0), UnorderedElementsAre("drive", "mast"));
+  EXPECT_THAT(cameras_for(2, milliseconds(100), 2), UnorderedElementsAre("gripper", "mast"));
+  EXPECT_THAT(cameras_for(4, milliseconds(200), 4), UnorderedElementsAre("drive", "rear"));
 }
 
 TEST_F(CameraThreadTest, EndsWithASnapshotStillWaiting) {

@@ -1,8 +1,11 @@
 #include "sim/camera/picture_schedule.h"
 
+#include <algorithm>
 #include <array>
 
 #include <gtest/gtest.h>
+
+#include "sim/camera/camera_choice.h"
 
 namespace eod::sim {
 namespace {
@@ -78,6 +81,61 @@ TEST(PictureSchedule, StartsAnewWhenTimeJumpsBack) {
   PictureSchedule dut(1, 50);
   dut.Drawn(0, At(60000));
   EXPECT_TRUE(dut.Due(At(0)).has_value());
+}
+
+/// Pictures of each of four cameras in a second of snapshots at the full rate of 25 Hz.
+std::array<int, 4> DrawnInASecond(PictureSchedule& dut, int64_t from_ms, int* most = nullptr) {
+  std::array<int, 4> drawn{};
+  for (int64_t ms = from_ms; ms < from_ms + 1000; ms += 40) {
+    int now = 0;
+    while (const auto camera = dut.Due(At(ms))) {
+      dut.Drawn(*camera, At(ms));
+      ++drawn.at(*camera);
+      ++now;
+    }
+    if (most != nullptr) *most = std::max(*most, now);
+  }
+  return drawn;
+}
+
+TEST(PictureSchedule, DrawsWhatIsChosenAndNothingElse) {
+  PictureSchedule dut(4, 25);
+  dut.Choose(std::array{1, 0, 1, 0}, At(0));
+  EXPECT_EQ(DrawnInASecond(dut, 0), (std::array{25, 0, 25, 0}));
+  dut.Choose(std::array{0, 1, 1, 0}, At(1000));
+  EXPECT_EQ(DrawnInASecond(dut, 1000), (std::array{0, 25, 25, 0}));
+}
+
+TEST(PictureSchedule, FourAtHalfTheRateTakeTurnsSoThatNoPictureWaitsForThree) {
+  PictureSchedule dut(4, 25);
+  dut.Choose(std::array{2, 2, 2, 2}, At(0));
+  int most = 0;
+  const std::array<int, 4> drawn = DrawnInASecond(dut, 0, &most);
+  for (const int pictures : drawn) EXPECT_NEAR(pictures, 12.5, 0.5);
+  EXPECT_EQ(most, 2);
+}
+
+TEST(PictureSchedule, ChoosingTheSameAgainChangesNothing) {
+  PictureSchedule dut(4, 25);
+  for (int64_t ms = 0; ms < 1000; ms += 4) {
+    dut.Choose(std::array{2, 2, 2, 2}, At(ms));
+    while (const auto camera = dut.Due(At(ms))) dut.Drawn(*camera, At(ms));
+  }
+  // All were drawn within the last 80 ms.
+  EXPECT_FALSE(dut.Due(At(1000 - 4)).has_value());
+}
+
+TEST(PictureInterval, GivesTheFullRateToTheChosenCameraAndItsCompanion) {
+  const auto intervals = [](int choice) {
+    return std::array{PictureInterval(choice, "drive"), PictureInterval(choice, "gripper"),
+                      PictureInterval(choice, "mast"), PictureInterval(choice, "rear")};
+  };
+  EXPECT_EQ(intervals(0), (std::array{2, 2, 2, 2})) << "quad";
+  EXPECT_EQ(intervals(1), (std::array{1, 0, 1, 0})) << "drive, and the mast";
+  EXPECT_EQ(intervals(2), (std::array{0, 1, 1, 0})) << "gripper, and the mast";
+  EXPECT_EQ(intervals(3), (std::array{1, 0, 1, 0})) << "mast, and drive";
+  EXPECT_EQ(intervals(4), (std::array{1, 0, 0, 1})) << "rear, and drive";
+  EXPECT_EQ(intervals(7), intervals(1)) << "no choice";
 }
 
 }  // namespace
