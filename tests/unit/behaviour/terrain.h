@@ -158,6 +158,16 @@ struct Driver {
     const int motion = degrees > now_deg ? spec.positive_motion : spec.negative_motion;
     Hold({motion}, std::abs(degrees - now_deg) / 20);
   }
+  /// Both pairs out, level: as long as the robot gets.
+  void LevelFlippers() {
+    Flipper(kFrontFlipper, 0);
+    Flipper(kRearFlipper, 0);
+  }
+  /// Both pairs down to the ground, short of the first touch.
+  void LowerFlippers() {
+    Flipper(kFrontFlipper, -14);
+    Flipper(kRearFlipper, -14);
+  }
   void Rest(double at_most_s = 10) {
     Hold({}, at_most_s, [](const StepResult& result) { return result.state.at_rest; });
   }

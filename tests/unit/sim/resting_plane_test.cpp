@@ -102,7 +102,7 @@ TEST(RestingPlane, EndsAndCarriesEverythingWherePropsStandInLinesAndGrids) {
     props.push_back(props[3]);
     const Vector2d centre(0.25 * static_cast<double>(numbers.Below(3)), 0);
     const RestingPlane plane = Rest(props, centre);
-    EXPECT_LT(plane.pivots, 64);
+    EXPECT_LT(plane.pivots, 64);  // of 96
     for (const Prop& prop : props) EXPECT_LE(prop.height, plane.At(prop.x, prop.y) + 1e-9);
   }
 }

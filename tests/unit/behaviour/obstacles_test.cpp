@@ -1,19 +1,11 @@
-#include "tests/unit/behaviour/terrain.h"
-
 #include <gtest/gtest.h>
+
+#include "tests/unit/behaviour/terrain.h"
 
 namespace eod::sim {
 namespace {
 
 constexpr double kFoot = 1.5;  // [m] where obstacles begin
-
-/// A ramp of `length` along the slope, from level ground up to a plateau.
-Terrain Ramp(double degrees, double length = 3) {
-  const double run = length * std::cos(degrees * kDegree);
-  const double rise = length * std::sin(degrees * kDegree);
-  return Terrain().AddStrip(kGround,
-                            {{-5, 0}, {kFoot, 0}, {kFoot + run, rise}, {kFoot + run + 5, rise}});
-}
 
 /// A step up (or down) to another level.
 Terrain Kerb(double height) {
@@ -42,104 +34,9 @@ Terrain Hurdle(double height) {
   return hurdle.Add(kGround, CylinderMesh(kRadius, 3, 24), X_MO);
 }
 
-/// Both pairs out, level: as long as the robot gets.
-void LevelFlippers(Driver& driver) {
-  driver.Flipper(kFrontFlipper, 0);
-  driver.Flipper(kRearFlipper, 0);
-}
-
-/// Both pairs down to the ground, where the first touch stops them.
-void LowerFlippers(Driver& driver) {
-  driver.Flipper(kFrontFlipper, -14);
-  driver.Flipper(kRearFlipper, -14);
-}
-
-class Inclined : public ::testing::TestWithParam<double> {};
-
-TEST_P(Inclined, PlaneIsClimbedHeldAndLeftAtItsAngle) {
-  Driver driver(Ramp(GetParam()));
-  LevelFlippers(driver);
-  ASSERT_TRUE(driver.DriveTo(kFoot + 1.5));
-  EXPECT_NEAR(driver.pitch_deg(), GetParam(), 1e-6);
-  EXPECT_NEAR(driver.roll_deg(), 0, 1e-6);
-  const RobotState held = driver.state();
-  driver.Hold({}, 2);
-  EXPECT_EQ(driver.state(), held);
-  ASSERT_TRUE(driver.DriveTo(kFoot + 5));
-  driver.Rest();
-  EXPECT_NEAR(driver.state().position.z(), 3 * std::sin(GetParam() * kDegree), 1e-6);
-  EXPECT_NEAR(driver.pitch_deg(), 0, 1e-6);
-  ASSERT_TRUE(driver.DriveTo(0, kDriveReverse));
-  driver.Rest();
-  EXPECT_NEAR(driver.state().position.z(), 0, 1e-6);
-}
-INSTANTIATE_TEST_SUITE_P(Terrain, Inclined, ::testing::Values(10, 15, 20, 25, 30, 35));
-
-TEST(Terrain, PlaneBeyondTheLimitIsRefusedForItsTiltAndLeavesTheWayBack) {
-  Driver driver(Ramp(42));
-  LevelFlippers(driver);
-  EXPECT_FALSE(driver.DriveTo(kFoot + 2, kDriveForward, 30));
-  driver.Press({kDriveForward});
-  driver.Step();
-  EXPECT_EQ(driver.dut.last().inhibited, SetOf(kDriveForward));
-  EXPECT_EQ(driver.dut.last().inhibit_reason, kReasonTilt);
-  EXPECT_NEAR(driver.pitch_deg(), 38, 1);
-  EXPECT_TRUE(driver.DriveTo(0, kDriveReverse, 30));
-  EXPECT_EQ(driver.dut.last().inhibited, 0u);
-}
-
-TEST(Terrain, SlidesDownASlopeBeyondFriction) {
-  Driver driver(Terrain().AddSlope(42, 0).StartAt(42, 0));
-  driver.Hold({}, 1);
-  // The shipped friction is tan 40 deg.
-  const double a =
-      9.80665 * (std::sin(42 * kDegree) - std::tan(40 * kDegree) * std::cos(42 * kDegree));
-  EXPECT_NEAR(driver.state().slip.norm(), a, 0.02 * a);
-  EXPECT_LT(driver.state().position.y(), -0.1);
-  EXPECT_FALSE(driver.state().at_rest);
-}
-
-class SideSlope : public ::testing::TestWithParam<double> {};
-
-TEST_P(SideSlope, IsDrivenAcrossWithoutSlip) {
-  Driver driver(Terrain().AddSlope(0, GetParam()).StartAt(0, GetParam()));
-  ASSERT_TRUE(driver.DriveTo(2));
-  EXPECT_NEAR(driver.roll_deg(), GetParam(), 1e-6);
-  EXPECT_NEAR(driver.state().position.x(), 0, 1e-9);
-  driver.Hold({kTurnLeft}, 3);  // a quarter: now uphill, its right side was down
-  EXPECT_NEAR(driver.pitch_deg(), GetParam(), 1e-6);
-  EXPECT_NEAR(driver.roll_deg(), 0, 1e-6);
-}
-INSTANTIATE_TEST_SUITE_P(Terrain, SideSlope, ::testing::Values(10, 15, 20));
-
-TEST(Terrain, CrossingRampsPitchAndRollTheRobotAndNoPointSinksIn) {
-  // Half ramps of 15 deg, 0.6 m long, left and right in turn.
-  Terrain field;
-  const double rise = 0.6 * std::tan(15 * kDegree);
-  for (int i = 0; i < 6; ++i) {
-    const double y = kFoot + 0.6 * i;
-    const bool left_up = i % 2 == 0;
-    field.AddStrip(kGround, {{y, left_up ? 0 : rise}, {y + 0.6, left_up ? rise : 0}}, -1.2, 0);
-    field.AddStrip(kGround, {{y, left_up ? rise : 0}, {y + 0.6, left_up ? 0 : rise}}, 0, 1.2);
-  }
-  field.AddStrip(kGround, {{-5, 0}, {12, 0}});
-  Driver driver(field);
-  LevelFlippers(driver);
-  double most_roll = 0;
-  driver.watch = [&](const StepResult& result) {
-    most_roll = std::max(most_roll, std::abs(result.state.attitude.roll / kDegree));
-    ASSERT_LT(std::abs(result.state.attitude.pitch / kDegree), 25);
-    ASSERT_LT(std::abs(result.state.attitude.roll / kDegree), 25);
-  };
-  ASSERT_TRUE(driver.DriveTo(kFoot + 5));
-  EXPECT_GT(most_roll, 5);
-  driver.Rest();
-  EXPECT_NEAR(driver.state().position.z(), 0, 1e-6);
-}
-
-TEST(Terrain, KerbIsClimbedAndLeftWithFlippersOut) {
+TEST(Obstacles, KerbIsClimbedAndLeftWithFlippersOut) {
   Driver driver(Kerb(0.15));
-  LevelFlippers(driver);
+  driver.LevelFlippers();
   ASSERT_TRUE(driver.DriveTo(kFoot + 1.5));
   driver.Rest();
   EXPECT_NEAR(driver.state().position.z(), 0.15, 1e-6);
@@ -149,16 +46,16 @@ TEST(Terrain, KerbIsClimbedAndLeftWithFlippersOut) {
   EXPECT_NEAR(driver.state().position.z(), 0, 1e-6);
 }
 
-TEST(Terrain, KerbWithFlippersUprightRearsTheRobotUpUntilTheTiltLimit) {
+TEST(Obstacles, KerbWithFlippersUprightRearsTheRobotUpUntilTheTiltLimit) {
   Driver driver(Kerb(0.15));
   EXPECT_FALSE(driver.DriveTo(kFoot + 1.5, kDriveForward, 30));
   driver.Press({kDriveForward});
   EXPECT_EQ(driver.Step().inhibit_reason, kReasonTilt);
 }
 
-TEST(Terrain, KerbAsHighAsTheWheelsStopsThem) {
+TEST(Obstacles, KerbAsHighAsTheWheelsStopsThem) {
   Driver driver(Kerb(0.25));
-  LevelFlippers(driver);
+  driver.LevelFlippers();
   EXPECT_FALSE(driver.DriveTo(kFoot + 1, kDriveForward, 30));
   EXPECT_EQ(driver.dut.last().contact_parts, 0b11u);
   EXPECT_NEAR(driver.pitch_deg(), 0, 1e-6);
@@ -174,12 +71,12 @@ TEST_P(LowHurdle, IsCrossedInOneGo) {
   driver.Rest();
   EXPECT_NEAR(driver.state().position.z(), 0, 1e-6);
 }
-INSTANTIATE_TEST_SUITE_P(Terrain, LowHurdle, ::testing::Values(0.10, 0.20));
+INSTANTIATE_TEST_SUITE_P(Obstacles, LowHurdle, ::testing::Values(0.10, 0.20));
 
-TEST(Terrain, HighestHurdleNeedsRaisedFlippersAndTheRearOnesPressedDown) {
+TEST(Obstacles, HighestHurdleNeedsRaisedFlippersAndTheRearOnesPressedDown) {
   {
     Driver level(Hurdle(0.40));
-    LevelFlippers(level);
+    level.LevelFlippers();
     EXPECT_FALSE(level.DriveTo(kFoot + 1, kDriveForward, 30));  // the small wheels stop
     EXPECT_NE(level.dut.last().contact_parts, 0u);
   }
@@ -198,11 +95,11 @@ TEST(Terrain, HighestHurdleNeedsRaisedFlippersAndTheRearOnesPressedDown) {
   EXPECT_TRUE(driver.DriveTo(kFoot + 2, kDriveForward, 40));
 }
 
-TEST(Terrain, GapIsCrossedIfItIsNarrowerThanTheSupport) {
+TEST(Obstacles, GapIsCrossedIfItIsNarrowerThanTheSupport) {
   // Half the support, with lowered flippers 0.775 m, is more than the trench of 0.64 m.
   for (const double width : {0.40, 0.60, 0.64}) {
     Driver driver(Gap(width));
-    LowerFlippers(driver);
+    driver.LowerFlippers();
     double most = 0;
     driver.watch = [&](const StepResult& result) {
       most = std::max(most, std::abs(result.state.attitude.pitch / kDegree));
@@ -213,15 +110,15 @@ TEST(Terrain, GapIsCrossedIfItIsNarrowerThanTheSupport) {
   }
 }
 
-TEST(Terrain, NoseTipsIntoAGapThatIsTooWide) {
+TEST(Obstacles, NoseTipsIntoAGapThatIsTooWide) {
   Driver driver(Gap(0.90));
-  LowerFlippers(driver);
+  driver.LowerFlippers();
   EXPECT_FALSE(driver.DriveTo(kFoot + 1, kDriveForward, 30));
   EXPECT_LT(driver.pitch_deg(), -5);
   EXPECT_NE(driver.dut.last().contact_parts & 0b11, 0u);  // the wheels meet the far wall
 }
 
-TEST(Terrain, GapThatLoweredFlippersCrossTakesTheNoseOfUprightOnes) {
+TEST(Obstacles, GapThatLoweredFlippersCrossTakesTheNoseOfUprightOnes) {
   Driver driver(Gap(0.64));
   double lowest = 0;
   driver.watch = [&](const StepResult& result) {
@@ -231,7 +128,7 @@ TEST(Terrain, GapThatLoweredFlippersCrossTakesTheNoseOfUprightOnes) {
   EXPECT_LT(lowest, -10);
 }
 
-TEST(Terrain, StepfieldCarriesTheRobotWithoutJumps) {
+TEST(Obstacles, StepfieldCarriesTheRobotWithoutJumps) {
   Terrain field;
   field.AddBox({30, 30, 1}, {0, 0, -1});
   uint32_t seed = 7;
@@ -262,7 +159,7 @@ TEST(Terrain, StepfieldCarriesTheRobotWithoutJumps) {
   EXPECT_LT(most, 1);
 }
 
-TEST(Terrain, LedgeTipsTheRobotSlowlyAtFirstAndThenAsThingsFall) {
+TEST(Obstacles, LedgeTipsTheRobotSlowlyAtFirstAndThenAsThingsFall) {
   Driver driver(Kerb(-0.30));
   RobotState last = driver.state();
   double fastest = 0;
@@ -279,7 +176,7 @@ TEST(Terrain, LedgeTipsTheRobotSlowlyAtFirstAndThenAsThingsFall) {
   EXPECT_NEAR(driver.state().position.z(), -0.30, 1e-6);
 }
 
-TEST(Terrain, RobotThatHangsOnALedgeComesToRest) {
+TEST(Obstacles, RobotThatHangsOnALedgeComesToRest) {
   Driver driver(Kerb(-0.50));
   driver.DriveTo(kFoot + 1, kDriveForward, 10);
   driver.Hold({}, 3);
@@ -290,7 +187,7 @@ TEST(Terrain, RobotThatHangsOnALedgeComesToRest) {
   EXPECT_EQ(driver.state(), hangs);
 }
 
-TEST(Terrain, NothingBelowIsAFallThatEndsOnTheGroundAndOnTheBack) {
+TEST(Obstacles, NothingBelowIsAFallThatEndsOnTheGroundAndOnTheBack) {
   Driver driver(Kerb(-5));
   driver.DriveTo(kFoot + 3, kDriveForward, 10);
   driver.Rest();
@@ -303,7 +200,7 @@ TEST(Terrain, NothingBelowIsAFallThatEndsOnTheGroundAndOnTheBack) {
   EXPECT_EQ(driver.Step().inhibit_reason, kReasonTilt);
 }
 
-TEST(Terrain, RollsOverWhereTheCentreOfGravityLeavesTheTracks) {
+TEST(Obstacles, RollsOverWhereTheCentreOfGravityLeavesTheTracks) {
   // A ramp under the left track alone: level at first, then as high as a table.
   Terrain ramp;
   ramp.AddStrip(kGround, {{-5, 0}, {12, 0}});
@@ -329,12 +226,12 @@ TEST(Terrain, RollsOverWhereTheCentreOfGravityLeavesTheTracks) {
   EXPECT_TRUE(alarmed_before_45_deg);
 }
 
-TEST(Terrain, TwoRunsAreEqualToTheLastBit) {
+TEST(Obstacles, TwoRunsAreEqualToTheLastBit) {
   std::vector<RobotState> first, second;
   for (auto* run : {&first, &second}) {
     Driver driver(Hurdle(0.20));
     driver.watch = [run](const StepResult& result) { run->push_back(result.state); };
-    LevelFlippers(driver);
+    driver.LevelFlippers();
     driver.Hold({kDriveForward, kTurnLeft}, 6);
     driver.Hold({kRearFlipperDown, kBigArmDown}, 4);
     driver.Hold({kDriveForward}, 5);
