@@ -121,7 +121,7 @@ def chassis():
     link = Link("chassis")
     # 120 kg, the tool mount's 2 kg with it: behind the middle, so that the stretched arm is
     # balanced as designed: centre of gravity at y = 0.1083 without a load [C].
-    link.mass(122, (0, -0.0175, 0.24))
+    link.mass(122, (0, -0.0175, 0.20))
     link.visual(mesh("meshes/hull.obj"), OLIVE)
     for side in (-1, 1):
         x = side * TRACK_X

@@ -11,7 +11,8 @@ using Eigen::Vector2d;
 constexpr double kLeastArea = 1e-7;   // [m^2] twice that of the smallest triangle to rest on
 constexpr double kInside = -1e-9;     // share of the load, for rounding on an edge
 constexpr double kSticksOut = 1e-11;  // [m]
-constexpr int kMostPivots = 64;
+constexpr int kQuickPivots = 16;      // then by Bland's rule, which never runs in circles
+constexpr int kMostPivots = 96;
 
 double Cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -30,8 +31,8 @@ void LayOn(std::span<const Prop> props, RestingPlane& plane) {
   plane.offset = a.height - plane.slope.dot(Plan(a));
 }
 
-/// The prop that sticks out most; -1 if none does.
-int Highest(std::span<const Prop> props, const RestingPlane& plane, double& by) {
+/// The prop that sticks out most, or the first one that does; -1 if none does.
+int Highest(std::span<const Prop> props, const RestingPlane& plane, bool first, double& by) {
   int highest = -1;
   by = kSticksOut;
   for (size_t i = 0; i < props.size(); ++i) {
@@ -39,14 +40,16 @@ int Highest(std::span<const Prop> props, const RestingPlane& plane, double& by) 
     if (out <= by) continue;
     by = out;
     highest = static_cast<int>(i);
+    if (first) break;
   }
   return highest;
 }
 
-/// Puts `prop` in the place of that corner which leaves the centre deepest inside. False if there
-/// is no such corner.
-bool Exchange(std::span<const Prop> props, const Vector2d& centre, int prop, RestingPlane& plane) {
-  double best = kInside;
+/// Puts `prop` in the place of that corner which leaves the centre deepest inside, or of the first
+/// one that leaves it inside. False if there is no such corner.
+bool Exchange(std::span<const Prop> props, const Vector2d& centre, int prop, bool first,
+              RestingPlane& plane) {
+  double best = 0;
   int place = -1;
   std::array<double, 3> best_load{};
   for (size_t corner = 0; corner < 3; ++corner) {
@@ -54,7 +57,10 @@ bool Exchange(std::span<const Prop> props, const Vector2d& centre, int prop, Res
     triangle[corner] = prop;
     const std::array<double, 3> load = LoadOn(props, triangle, centre);
     const double least = *std::min_element(load.begin(), load.end());
-    if (least < best || (place >= 0 && least == best)) continue;
+    if (least < kInside) continue;
+    if (place >= 0 &&
+        (first ? plane.props[corner] > plane.props[static_cast<size_t>(place)] : least <= best))
+      continue;
     best = least;
     place = static_cast<int>(corner);
     best_load = load;
@@ -114,13 +120,14 @@ RestingPlane RestOn(std::span<const Prop> props, const Vector2d& centre,
   LayOn(props, plane);
   double out = 0;
   for (; plane.pivots < kMostPivots; ++plane.pivots) {
-    const int highest = Highest(props, plane, out);
+    const bool first = plane.pivots >= kQuickPivots;
+    const int highest = Highest(props, plane, first, out);
     if (highest < 0) return plane;
-    if (!Exchange(props, centre, highest, plane)) break;
+    if (!Exchange(props, centre, highest, first, plane)) break;
     LayOn(props, plane);
   }
   // Rounding keeps the last one from a corner of its own: rest on it all the same.
-  if (Highest(props, plane, out) >= 0) plane.offset += out;
+  if (Highest(props, plane, false, out) >= 0) plane.offset += out;
   return plane;
 }
 

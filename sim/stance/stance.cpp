@@ -13,6 +13,8 @@ using Eigen::Vector3d;
 constexpr double kGravity = 9.80665;  // [m/s^2]
 constexpr double kLooksDown = 0.1;    // a point whose normal points up by more carries nothing
 constexpr double kStill = 1e-9;       // [m] less is rounding: a robot at rest keeps its bits
+constexpr double kTrembles = 5e-3;    // [m] whoever stays within that, unmoved, ...
+constexpr double kTrembles_s = 0.5;   // ... for so long, is at rest: an edge must not shake it
 constexpr double kCarries = 1e-9;     // share of the weight
 constexpr int kPuttingDown = 40;      // rounds; each halves what is left, and more
 
@@ -47,7 +49,6 @@ Stance::Stance(const RobotModel& robot, uint32_t module_mask)
     if (point.link == 0) turning_radius_ = std::max(turning_radius_, point.p_L.head<2>().norm());
   }
   points_.reserve(most);
-  normals_.reserve(most);
   queries_.reserve(most);
   hits_.reserve(most);
   depths_.reserve(most);
@@ -59,20 +60,34 @@ void Stance::Reset() { stood_on_ = {-1, -1, -1}; }
 RobotState Stance::Stand(const World& world, std::span<const Isometry3d> X_ML,
                          const RobotState& before, const RobotState& state, double dt_s,
                          const Load& load) {
-  if (state.rolls_over && TiltOf(state.attitude) >= robot_.stance.overturned) {
-    RobotState lies = state;
-    lies.fall_speed = 0;
-    lies.slip.setZero();
-    lies.at_rest = true;
-    return lies;
-  }
   const double turn = std::remainder(state.attitude.heading - before.attitude.heading, 2 * M_PI);
   const double travel =
       (state.position - before.position).head<2>().norm() + turning_radius_ * std::abs(turn);
   const Limits limits{
       .sink = (state.fall_speed + kGravity * dt_s) * dt_s,
       .rise = robot_.stance.rise_speed * dt_s + robot_.stance.rise_per_metre * travel};
-  return StandWithin(world, X_ML, state, limits, dt_s, load);
+  RobotState next = StandWithin(world, X_ML, state, limits, dt_s, load);
+  if (!(state == before)) {
+    calm_s_ = 0;
+  } else if (Trembles(next, dt_s)) {
+    next = state;
+    next.fall_speed = 0;
+    next.slip.setZero();
+    next.at_rest = true;
+  }
+  return next;
+}
+
+/// Whether an unmoved robot has stayed where it is for a while.
+bool Stance::Trembles(const RobotState& state, double dt_s) {
+  const Vector3d tilt(state.attitude.pitch, state.attitude.roll, 0);
+  const double away =
+      (state.position - calm_at_.position).norm() + turning_radius_ * (tilt - calm_at_.tilt).norm();
+  calm_s_ = calm_s_ > 0 && away < kTrembles ? calm_s_ + dt_s : 0;
+  if (calm_s_ > 0) return calm_s_ > kTrembles_s;
+  calm_at_ = {state.position, tilt};
+  calm_s_ = dt_s;
+  return false;
 }
 
 RobotState Stance::PutDown(const World& world, RobotState state, std::vector<Isometry3d>& X_ML,
@@ -97,14 +112,20 @@ RobotState Stance::StandWithin(const World& world, std::span<const Isometry3d> X
   SetProps(state, limits);
   const Vector2d centre = (CentreOfGravity(robot_, X_ML, load) - state.position).head<2>();
   RobotState next = state;
-  next.rolls_over = !Rest(centre, limits.sink);
+  const bool overturned = TiltOf(state.attitude) >= robot_.stance.overturned;
+  if (overturned) {
+    Lie();
+  } else {
+    next.rolls_over = !Rest(centre, limits.sink);
+  }
   const bool held_up = IsHeldUp(limits.sink);
   const double moved = std::abs(plane_.offset) + turning_radius_ * plane_.slope.lpNorm<1>();
   const bool still = moved <= kStill;
-  next.fall_speed = still ? 0 : SinkSpeed(limits.sink, dt_s);
+  next.fall_speed = still ? 0 : SinkSpeed(dt_s);
   if (!still) MoveBy(plane_, next);
-  if (held_up) Slip(next, dt_s);
-  next.at_rest = still && held_up && !next.rolls_over && next.slip.isZero(0);
+  const bool holds = held_up && Slip(next, dt_s);
+  if (overturned) next.rolls_over = true;
+  next.at_rest = still && (overturned || (holds && !next.rolls_over));
   return next;
 }
 
@@ -112,15 +133,12 @@ RobotState Stance::StandWithin(const World& world, std::span<const Isometry3d> X
 void Stance::LookForGround(const World& world, std::span<const Isometry3d> X_ML) {
   const StanceSpec& stance = robot_.stance;
   points_.clear();
-  normals_.clear();
   queries_.clear();
   for (size_t i = 0; i < stance.points.size(); ++i) {
     const SupportPoint& point = stance.points[i];
     const Isometry3d& X_MP = X_ML[point.link];
-    const Vector3d n_M = X_MP.linear() * point.n_L;
-    if (n_M.z() > kLooksDown) continue;
+    if (X_MP.linear().row(2).dot(point.n_L) > kLooksDown) continue;
     points_.push_back(static_cast<int>(i));
-    normals_.push_back(-n_M);
     queries_.push_back({.start = X_MP * point.p_L + stance.reach_up * Vector3d::UnitZ(),
                         .direction = -Vector3d::UnitZ(),
                         .length = stance.reach_up + stance.reach_down,
@@ -173,6 +191,14 @@ bool Stance::Rest(const Vector2d& centre, double sink) {
   return stands;
 }
 
+/// What has turned over lies as it fell, and only falls on, down to the first point that touches.
+void Stance::Lie() {
+  double touches = -robot_.stance.reach_down;
+  for (const Prop& prop : props_) touches = std::max(touches, prop.height);
+  plane_ = {.offset = touches, .props = {-1, -1, -1}};
+  stood_on_ = {-1, -1, -1};
+}
+
 /// The triangle of the last step, if it is still there and round the centre.
 bool Stance::WarmStart(const Vector2d& centre, std::array<int, 3>& triangle) const {
   for (size_t i = 0; i < 3; ++i) {
@@ -186,41 +212,42 @@ bool Stance::WarmStart(const Vector2d& centre, std::array<int, 3>& triangle) con
 
 /// Whether ground carries all of the weight.
 bool Stance::IsHeldUp(double sink) const {
+  if (plane_.props[0] < 0) return false;
   for (size_t i = 0; i < 3; ++i) {
     if (plane_.load[i] <= kCarries) continue;
     const auto prop = static_cast<size_t>(plane_.props[i]);
     if (prop >= depths_.size() || depths_[prop] < -sink) return false;
   }
-  return plane_.props[0] >= 0;
+  return true;
 }
 
 /// Of the prop that gives way fastest, among those that carry.
-double Stance::SinkSpeed(double sink, double dt_s) const {
+double Stance::SinkSpeed(double dt_s) const {
   if (dt_s <= 0) return 0;
-  if (plane_.props[0] < 0) return sink / dt_s;
+  if (plane_.props[0] < 0) return plane_.offset < 0 ? -plane_.offset / dt_s : 0;
   double lowest = 0;
   for (size_t i = 0; i < 3; ++i) {
     if (plane_.load[i] > kCarries) lowest = std::min(lowest, props_[plane_.props[i]].height);
   }
-  return -lowest / dt_s;
+  return lowest < 0 ? -lowest / dt_s : 0;
 }
 
-/// Coulomb: it holds up to the friction's angle, and slides downhill beyond it.
-void Stance::Slip(RobotState& state, double dt_s) const {
+/// Coulomb: it slides downhill beyond the friction's angle. Whether it holds.
+bool Stance::Slip(RobotState& state, double dt_s) const {
+  const Vector3d up = ToRotation(state.attitude).col(2);
   Vector3d n_M = Vector3d::Zero();
   for (size_t i = 0; i < 3; ++i) {
     const auto prop = static_cast<size_t>(plane_.props[i]);
     if (plane_.load[i] <= kCarries || !hits_[prop].hit) continue;
-    // Where a point meets an edge, the flatter surface of the two has the edge on it.
+    // On an edge or a bar it is the robot's underside that lies on it.
     Vector3d ground = hits_[prop].normal;
     if (ground.z() < 0) ground = -ground;
-    n_M += plane_.load[i] * (ground.z() > normals_[prop].z() ? ground : normals_[prop]);
+    n_M += plane_.load[i] * (ground.z() > up.z() ? ground : up);
   }
   const double steep = n_M.head<2>().norm();
   const double grip = robot_.stance.friction * n_M.z();
-  if (steep <= grip && state.slip.isZero(0)) return;
+  if (steep <= grip && state.slip.isZero(0)) return true;
   const double norm = n_M.norm();
-  if (!(norm > 0)) return;
   const double brake = kGravity * grip / norm * dt_s;
   Vector2d slip = state.slip + kGravity * dt_s / norm * n_M.head<2>();
   const double speed = slip.norm();
@@ -229,6 +256,7 @@ void Stance::Slip(RobotState& state, double dt_s) const {
   const Vector2d way = state.slip * (n_M.z() / norm * dt_s);
   state.position.head<2>() += way;
   state.position.z() -= n_M.head<2>().dot(way) / n_M.z();
+  return false;
 }
 
 }  // namespace eod::sim

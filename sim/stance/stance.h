@@ -53,8 +53,8 @@ class Stance {
 
  private:
   struct Limits {
-    double sink = 0;  ///< [m] a point may move down in this step ...
-    double rise = 0;  ///< ... and up
+    double sink = 0;  ///< [m] a point may move down in this step
+    double rise = 0;  ///< [m] a point may move up
   };
   RobotState StandWithin(const World& world, std::span<const Eigen::Isometry3d> X_ML,
                          const RobotState& state, const Limits& limits, double dt_s,
@@ -64,8 +64,10 @@ class Stance {
   bool Rest(const Eigen::Vector2d& centre, double sink);
   bool WarmStart(const Eigen::Vector2d& centre, std::array<int, 3>& triangle) const;
   bool IsHeldUp(double sink) const;
-  double SinkSpeed(double sink, double dt_s) const;
-  void Slip(RobotState& state, double dt_s) const;
+  double SinkSpeed(double dt_s) const;
+  bool Slip(RobotState& state, double dt_s) const;
+  bool Trembles(const RobotState& state, double dt_s);
+  void Lie();
 
   const RobotModel& robot_;
   uint32_t class_mask_;
@@ -73,7 +75,6 @@ class Stance {
   std::vector<int> flipper_of_;  ///< of each point: 0 front, 1 rear, -1 none
   // Of the points that look down in this step:
   std::vector<int> points_;
-  std::vector<Eigen::Vector3d> normals_;  ///< into the robot
   std::vector<SegmentQuery> queries_;
   std::vector<SegmentHit> hits_;
   std::vector<double> depths_;  ///< [m] of the point in the ground; negative above it
@@ -82,6 +83,12 @@ class Stance {
   RestingPlane plane_;
   std::array<int, 3> stood_on_ = {-1, -1, -1};  ///< points of the last plane
   std::array<double, 2> flipper_gap_{};
+  struct Calm {
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+    Eigen::Vector3d tilt = Eigen::Vector3d::Zero();  ///< [rad] pitch, roll
+  };
+  Calm calm_at_;
+  double calm_s_ = 0;  ///< spent there by a robot that is not moved; 0: it was
 };
 
 }  // namespace eod::sim

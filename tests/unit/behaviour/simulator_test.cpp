@@ -147,7 +147,12 @@ TEST(Simulator, EveryMotionMovesAndItsOppositeReturns) {
 
 TEST(Simulator, FlipperLoweredOnTheGroundStopsAtTheGoldenAngle) {
   Operator op;
-  op.Hold({kFrontFlipperDown}, 2000);
+  op.Press({kFrontFlipperDown});
+  while (op.Step().contact_parts == 0) {
+  }
+  const double stopped = op.state().joint[kFrontFlipper];
+  op.Hold({kFrontFlipperDown}, 100);  // short of pressing on until it bears
+  EXPECT_EQ(op.state().joint[kFrontFlipper], stopped);
   EXPECT_LE(op.state().joint[kFrontFlipper] / kDegree, -14.21 + 0.005);
   EXPECT_GT(op.state().joint[kFrontFlipper] / kDegree, -14.21 - 0.08 - 0.005);
   EXPECT_EQ(op.dut.last().contact_parts, kFrontWheels);

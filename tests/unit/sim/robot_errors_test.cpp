@@ -181,5 +181,21 @@ TEST_F(RobotErrors, WorldInsteadOfARobotIsRefused) {
               testing::ThrowsMessage<std::runtime_error>(HasSubstr("holds no <model>")));
 }
 
+TEST_F(RobotErrors, StanceNeedsItsNumbersWithinTheirRanges) {
+  const std::string place = robot_.Replace("press_on_s=\"0.5\"", "press_on_s=\"50\"");
+  EXPECT_THAT(Load(), AllOf(StartsWith(place), HasSubstr("press_on_s = 50"), HasSubstr("0..10")));
+}
+
+TEST_F(RobotErrors, SupportOfAnUnknownLinkIsNamed) {
+  const std::string place =
+      robot_.Replace("support link=\"rear_flipper\"", "support link=\"tail\"");
+  EXPECT_THAT(Load(), AllOf(StartsWith(place), HasSubstr("\"tail\""), HasSubstr("no such link")));
+}
+
+TEST_F(RobotErrors, OutlineThatIsNoPolygonNamesWhatItNeeds) {
+  const std::string place = robot_.Replace("x=\"0\" outline=\"", "x=\"0\" outline=\"0.5 ");
+  EXPECT_THAT(Load(), AllOf(StartsWith(place), HasSubstr("17 numbers"), HasSubstr("y and z")));
+}
+
 }  // namespace
 }  // namespace eod::sim

@@ -161,5 +161,30 @@ TEST(RobotModel, HasFourCamerasThatLookWhereTheyShould) {
   }
 }
 
+TEST(RobotModel, UndersideReachesFromTrackToTrackAndFlipperToFlipper) {
+  std::vector<Eigen::Isometry3d> X_ML;
+  RobotState state = HomeState(Robot());
+  state.joint[kFrontFlipper] = state.joint[kRearFlipper] = 0;
+  LinkPoses(Robot(), state, X_ML);
+  Eigen::AlignedBox3d box;
+  double lowest_of_flippers = 1;
+  for (const SupportPoint& point : Robot().stance.points) {
+    const Eigen::Vector3d p_M = X_ML[static_cast<size_t>(point.link)] * point.p_L;
+    box.extend(p_M);
+    EXPECT_NEAR(point.n_L.norm(), 1, 1e-12);
+    if (point.link != 0) lowest_of_flippers = std::min(lowest_of_flippers, p_M.z());
+  }
+  // Small wheels of 0.10 m on flippers of 0.40 m, on axles at 0.375 m, 0.20 m high.
+  EXPECT_NEAR(box.max().y(), 0.375 + 0.40 + 0.10, 1e-9);
+  EXPECT_NEAR(box.min().y(), -box.max().y(), 1e-9);
+  EXPECT_NEAR(box.max().x(), 0.30, 1e-9);
+  EXPECT_NEAR(box.min().z(), 0, 1e-9);
+  EXPECT_NEAR(lowest_of_flippers, 0.20 - 0.10, 1e-9);
+}
+
+TEST(RobotModel, FrictionIsThatOfTheStatedSlopeLimit) {
+  EXPECT_NEAR(Robot().stance.friction, std::tan(40 * kDegree), 1e-9);
+}
+
 }  // namespace
 }  // namespace eod::sim
