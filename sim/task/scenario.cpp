@@ -1,6 +1,7 @@
 #include "sim/task/scenario.h"
 
 #include <array>
+#include <numbers>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -12,26 +13,45 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kScenarioKeys = {
     "name", "title", "module", "par_time_s", "time_limit_s", "seed", "step"};
-constexpr std::array<std::string_view, 8> kStepKeys = {
-    "kind", "object", "distance_m", "tolerance_m", "x_m", "y_m", "text", "weight"};
+constexpr std::array<std::string_view, 10> kStepKeys = {
+    "kind", "object", "distance_m", "tolerance_m", "x_m",
+    "y_m",  "time_s", "tilt_deg",   "text",        "weight"};
 
+/// What a step of a kind has to say.
+enum Need : unsigned {
+  kObject = 1,
+  kDistance = 2,
+  kTolerance = 4,
+  kPlace = 8,
+  kTime = 16,
+};
 struct KindName {
   std::string_view name;
   TaskStep::Kind kind;
+  unsigned needs;
 };
 constexpr std::array kKinds = {
-    KindName{"contact", TaskStep::Kind::kContact}, KindName{"clear", TaskStep::Kind::kClear},
-    KindName{"pass_gate", TaskStep::Kind::kPassGate}, KindName{"stop_at", TaskStep::Kind::kStopAt},
-    KindName{"reach", TaskStep::Kind::kReach}};
+    KindName{"contact", TaskStep::Kind::kContact, 0},
+    KindName{"clear", TaskStep::Kind::kClear, kDistance},
+    KindName{"pass_gate", TaskStep::Kind::kPassGate, kObject | kDistance},
+    KindName{"stop_at", TaskStep::Kind::kStopAt, kObject | kDistance | kTolerance},
+    KindName{"reach", TaskStep::Kind::kReach, kTolerance | kPlace},
+    KindName{"grasp", TaskStep::Kind::kGrasp, kObject},
+    KindName{"lift", TaskStep::Kind::kLift, kDistance},
+    KindName{"place_in_vessel", TaskStep::Kind::kPlaceInVessel, kObject},
+    KindName{"disrupt", TaskStep::Kind::kDisrupt, 0},
+    KindName{"climb", TaskStep::Kind::kClimb, kDistance | kTolerance | kPlace},
+    KindName{"hold_still", TaskStep::Kind::kHoldStill, kTime},
+    KindName{"retreat", TaskStep::Kind::kRetreat, kObject | kDistance}};
 
 constexpr double kMaxLength = 3000;  // [m] the whole world
 constexpr double kMaxTime = 86400;   // [s]
 
-TaskStep::Kind ReadKind(const TomlTable& reader) {
+const KindName& ReadKind(const TomlTable& reader) {
   const std::string name = reader.Text("kind");
   std::array<std::string_view, kKinds.size()> names;
   for (size_t i = 0; i < kKinds.size(); ++i) {
-    if (kKinds[i].name == name) return kKinds[i].kind;
+    if (kKinds[i].name == name) return kKinds[i];
     names[i] = kKinds[i].name;
   }
   reader.Fail(reader.LineOf("kind"), fmt::format("kind = '{}' is unknown; did you mean '{}'?", name,
@@ -41,21 +61,21 @@ TaskStep::Kind ReadKind(const TomlTable& reader) {
 TaskStep ReadStep(const TomlTable& reader) {
   reader.RejectUnknownKeys(kStepKeys);
   TaskStep step;
-  step.kind = ReadKind(reader);
+  const KindName& kind = ReadKind(reader);
+  const auto needs = [&kind](Need need) { return (kind.needs & need) != 0; };
+  step.kind = kind.kind;
   step.text = reader.Text("text");
   step.weight = reader.Number("weight", 0, 100, 1.0);
-  const bool names_object =
-      step.kind == TaskStep::Kind::kPassGate || step.kind == TaskStep::Kind::kStopAt;
-  step.object = names_object ? reader.Text("object") : reader.Text("object", "");
-  if (names_object || step.kind == TaskStep::Kind::kClear) {
-    step.distance = reader.Number("distance_m", 0, kMaxLength);
-  }
-  if (step.kind == TaskStep::Kind::kStopAt || step.kind == TaskStep::Kind::kReach) {
-    step.tolerance = reader.Number("tolerance_m", 0, kMaxLength);
-  }
-  if (step.kind == TaskStep::Kind::kReach) {
+  step.object = needs(kObject) ? reader.Text("object") : reader.Text("object", "");
+  if (needs(kDistance)) step.distance = reader.Number("distance_m", 0, kMaxLength);
+  if (needs(kTolerance)) step.tolerance = reader.Number("tolerance_m", 0, kMaxLength);
+  if (needs(kPlace)) {
     step.x = reader.Number("x_m", -kMaxLength, kMaxLength);
     step.y = reader.Number("y_m", -kMaxLength, kMaxLength);
+  }
+  if (needs(kTime)) {
+    step.time = reader.Number("time_s", 0, kMaxTime);
+    step.tilt = reader.Number("tilt_deg", 0, 90, 0.0) * std::numbers::pi / 180;
   }
   return step;
 }

@@ -15,12 +15,21 @@ struct TaskStep {
     kPassGate,  ///< drive the robot's origin along X of `object`, at most `distance`/2 beside it
     kStopAt,    ///< stand still for 1 s, the foremost point `distance` +- `tolerance` from `object`
     kReach,     ///< origin within `tolerance` of (x, y)
+    kGrasp,     ///< hold the movable `object` in the gripper
+    kLift,      ///< hold `object` (any if empty) at least `distance` above where it was grasped
+    kPlaceInVessel,  ///< a charge rests in the containment vessel `object`
+    kDisrupt,        ///< the charge `object` (any if empty) is shot apart by the disrupter
+    kClimb,          ///< origin at least `distance` high, within `tolerance` of (x, y)
+    kHoldStill,      ///< stand still for `time`, tilted by at least `tilt`
+    kRetreat,        ///< origin at least `distance` from `object`, as seen on the map
   };
   Kind kind = Kind::kContact;
   std::string object;
   double distance = 0;   ///< [m]; of a gate: width of its opening
   double tolerance = 0;  ///< [m]
   double x = 0, y = 0;   ///< [m] local
+  double time = 0;       ///< [s]
+  double tilt = 0;       ///< [rad] between the robot's and the world's vertical
   std::string text;      ///< for the trainee
   double weight = 1;
 };

@@ -13,27 +13,74 @@ constexpr double kCollisionPenalty = 2;  // points, 4.2 of the design
 constexpr double kStillTime = 1.0;       // [s]
 constexpr double kStillSpeed = 1e-3;     // [m/s] and [rad/s]
 
-const WorldObject& FindObject(const Scenario& scenario, const ModuleModel& module,
-                              const std::string& name) {
-  for (const WorldObject& object : module.objects) {
-    if (object.name == name) return object;
-  }
-  throw std::runtime_error(fmt::format("{}: object '{}' is not in module {} ({})",
-                                       scenario.file.string(), name, module.id, module.name));
+template <typename Named>
+int IndexOf(const std::vector<Named>& list, const std::string& name) {
+  const auto found = std::find_if(list.begin(), list.end(),
+                                  [&name](const Named& one) { return one.name == name; });
+  return found == list.end() ? -1 : static_cast<int>(found - list.begin());
+}
+
+bool IsStill(const TaskInputs& inputs) {
+  return std::abs(inputs.speed) < kStillSpeed && std::abs(inputs.turn_rate) < kStillSpeed;
+}
+
+double TiltOf(const Attitude& attitude) {
+  return std::acos(std::clamp(ToRotation(attitude)(2, 2), -1.0, 1.0));
+}
+
+bool IsNear(const Eigen::Vector3d& p_M, const TaskStep& step) {
+  return std::hypot(p_M.x() - step.x, p_M.y() - step.y) <= step.tolerance;
+}
+
+bool IsInside(const VesselSpec& vessel, const Eigen::Vector3d& p_M) {
+  const Eigen::Vector3d p_V = vessel.X_MV.inverse() * p_M;
+  if (p_V.z() < vessel.net_z || p_V.z() > vessel.rim_z) return false;
+  if (vessel.inner_radius > 0) return std::hypot(p_V.x(), p_V.y()) <= vessel.inner_radius;
+  return std::abs(p_V.x()) <= vessel.half_size.x() && std::abs(p_V.y()) <= vessel.half_size.y();
+}
+
+bool IsInVessel(const VesselSpec& vessel, const TaskInputs& inputs) {
+  const DisposalStatus& disposal = *inputs.disposal;
+  const auto bomb = static_cast<size_t>(disposal.bomb_body);
+  return disposal.bomb == BombState::kInCan && bomb < inputs.movables.size() &&
+         IsInside(vessel, inputs.movables[bomb].translation());
+}
+
+bool IsDisrupted(int movable, const DisposalStatus& disposal) {
+  return disposal.bomb == BombState::kDisrupted && (movable < 0 || disposal.bomb_body == movable);
 }
 
 }  // namespace
 
 Task::Task(const Scenario& scenario, const ModuleModel& module)
     : time_limit_s_(scenario.time_limit_s) {
-  for (const TaskStep& spec : scenario.steps) {
-    Step step{.spec = spec};
-    if (!spec.object.empty()) {
-      step.X_OM = FindObject(scenario, module, spec.object).X_MO.inverse();
-    }
-    steps_.push_back(step);
-  }
+  for (const TaskStep& spec : scenario.steps) steps_.push_back(MakeStep(spec, scenario, module));
   status_.steps = static_cast<int>(steps_.size());
+}
+
+Task::Step Task::MakeStep(const TaskStep& spec, const Scenario& scenario,
+                          const ModuleModel& module) {
+  Step step;
+  step.spec = spec;
+  const bool needs_vessel = spec.kind == TaskStep::Kind::kPlaceInVessel;
+  const bool needs_movable = spec.kind == TaskStep::Kind::kGrasp ||
+                             spec.kind == TaskStep::Kind::kLift ||
+                             spec.kind == TaskStep::Kind::kDisrupt;
+  if (spec.object.empty()) return step;
+  const auto fail = [&](std::string_view what) {
+    throw std::runtime_error(fmt::format("{}: object '{}' is {} module {} ({})",
+                                         scenario.file.string(), spec.object, what, module.id,
+                                         module.name));
+  };
+  const int object = IndexOf(module.objects, spec.object);
+  const int vessel = IndexOf(module.vessels, spec.object);
+  step.movable = IndexOf(module.movables, spec.object);
+  if (object < 0 && step.movable < 0) fail("not in");
+  if (needs_movable && step.movable < 0) fail("no movable of");
+  if (needs_vessel && vessel < 0) fail("no vessel of");
+  step.X_MO = step.movable >= 0 ? module.movables[step.movable].X_MO : module.objects[object].X_MO;
+  if (vessel >= 0) step.vessel = module.vessels[vessel];
+  return step;
 }
 
 const TaskStatus& Task::Advance(const TaskInputs& inputs) {
@@ -48,22 +95,32 @@ const TaskStatus& Task::Advance(const TaskInputs& inputs) {
   if (!inputs.started) ++elapsed_steps_;
   status_.elapsed_s = static_cast<double>(elapsed_steps_) * inputs.dt_s;
   if (inputs.new_contact) CountCollision(inputs);
+  WatchGrasp(inputs);
   if (status_.step < status_.steps && IsComplete(steps_[status_.step], inputs)) {
     CompleteStep(*inputs.state);
   }
   status_.score = Score();
   last_position_ = inputs.state->position;
 
-  if (status_.step == status_.steps) {
+  status_.fail_reason = Failure(inputs);
+  if (status_.fail_reason != FailReason::kNone) {
+    status_.state = MissionState::kFail;
+  } else if (status_.step == status_.steps) {
     status_.state = MissionState::kSuccess;
-  } else if (inputs.rolled_over) {
-    status_.state = MissionState::kFail;
-    status_.fail_reason = FailReason::kRollover;
-  } else if (time_limit_s_ > 0 && status_.elapsed_s >= time_limit_s_) {
-    status_.state = MissionState::kFail;
-    status_.fail_reason = FailReason::kTimeOut;
   }
   return status_;
+}
+
+/// A charge that is lost spoils even the last step; tilt and time do not.
+FailReason Task::Failure(const TaskInputs& inputs) const {
+  if (inputs.disposal != nullptr) {
+    if (inputs.disposal->detonation != DetonationCause::kNone) return FailReason::kExploded;
+    if (inputs.disposal->bomb == BombState::kDropped) return FailReason::kBombLost;
+  }
+  if (status_.step == status_.steps) return FailReason::kNone;
+  if (inputs.rolled_over) return FailReason::kRollover;
+  const bool late = time_limit_s_ > 0 && status_.elapsed_s >= time_limit_s_;
+  return late ? FailReason::kTimeOut : FailReason::kNone;
 }
 
 const std::string& Task::step_text() const {
@@ -77,6 +134,7 @@ void Task::Reset() {
   elapsed_steps_ = 0;
   asked_collisions_ = 0;
   still_steps_ = 0;
+  held_ = -1;
 }
 
 void Task::Start(const RobotState& state) {
@@ -86,6 +144,14 @@ void Task::Start(const RobotState& state) {
   status_.state = MissionState::kRun;
   mark_ = state.position;
   last_position_ = state.position;
+}
+
+/// Remembers how high a thing was when it was grasped.
+void Task::WatchGrasp(const TaskInputs& inputs) {
+  const int held = inputs.disposal == nullptr ? -1 : inputs.disposal->held_body;
+  const bool known = held >= 0 && static_cast<size_t>(held) < inputs.movables.size();
+  if (held != held_ && known) grasp_height_ = inputs.movables[held].translation().z();
+  held_ = known ? held : -1;
 }
 
 bool Task::IsComplete(const Step& step, const TaskInputs& inputs) {
@@ -101,16 +167,40 @@ bool Task::IsComplete(const Step& step, const TaskInputs& inputs) {
     case TaskStep::Kind::kStopAt:
       return HasStopped(spec, inputs);
     case TaskStep::Kind::kReach:
-      return std::hypot(p_M.x() - spec.x, p_M.y() - spec.y) <= spec.tolerance;
+      return IsNear(p_M, spec);
+    case TaskStep::Kind::kGrasp:
+      return held_ >= 0 && held_ == step.movable;
+    case TaskStep::Kind::kLift:
+      return IsLifted(step, inputs);
+    case TaskStep::Kind::kPlaceInVessel:
+      return inputs.disposal != nullptr && IsInVessel(step.vessel, inputs);
+    case TaskStep::Kind::kDisrupt:
+      return inputs.disposal != nullptr && IsDisrupted(step.movable, *inputs.disposal);
+    case TaskStep::Kind::kClimb:
+      return p_M.z() >= spec.distance && IsNear(p_M, spec);
+    case TaskStep::Kind::kHoldStill:
+      return HasHeldStill(spec, inputs);
+    case TaskStep::Kind::kRetreat: {
+      const bool moved =
+          step.movable >= 0 && static_cast<size_t>(step.movable) < inputs.movables.size();
+      const Eigen::Isometry3d& X_MO = moved ? inputs.movables[step.movable] : step.X_MO;
+      return (p_M - X_MO.translation()).head<2>().norm() >= spec.distance;
+    }
   }
   return false;
 }
 
+bool Task::IsLifted(const Step& step, const TaskInputs& inputs) const {
+  if (held_ < 0 || (step.movable >= 0 && held_ != step.movable)) return false;
+  return inputs.movables[held_].translation().z() - grasp_height_ >= step.spec.distance;
+}
+
 /// The gate's posts stand along Y of its frame: passed when the way of this step crosses x = 0
 /// between them, from either side.
-bool Task::HasPassed(const Step& gate, const Eigen::Vector3d& p_M) {
-  const Eigen::Vector3d before = gate.X_OM * last_position_;
-  const Eigen::Vector3d after = gate.X_OM * p_M;
+bool Task::HasPassed(const Step& gate, const Eigen::Vector3d& p_M) const {
+  const Eigen::Isometry3d X_OM = gate.X_MO.inverse();
+  const Eigen::Vector3d before = X_OM * last_position_;
+  const Eigen::Vector3d after = X_OM * p_M;
   if ((before.x() > 0) == (after.x() > 0)) return false;
   const double share = before.x() / (before.x() - after.x());
   const double y = before.y() + share * (after.y() - before.y());
@@ -118,12 +208,16 @@ bool Task::HasPassed(const Step& gate, const Eigen::Vector3d& p_M) {
 }
 
 bool Task::HasStopped(const TaskStep& step, const TaskInputs& inputs) {
-  const bool still =
-      std::abs(inputs.speed) < kStillSpeed && std::abs(inputs.turn_rate) < kStillSpeed;
   const bool on_mark = inputs.forward_object == step.object &&
                        std::abs(inputs.forward_clearance - step.distance) <= step.tolerance;
-  still_steps_ = still && on_mark ? still_steps_ + 1 : 0;
+  still_steps_ = IsStill(inputs) && on_mark ? still_steps_ + 1 : 0;
   return still_steps_ * inputs.dt_s >= kStillTime;
+}
+
+bool Task::HasHeldStill(const TaskStep& step, const TaskInputs& inputs) {
+  const bool held = IsStill(inputs) && TiltOf(inputs.state->attitude) >= step.tilt;
+  still_steps_ = held ? still_steps_ + 1 : 0;
+  return held && still_steps_ * inputs.dt_s >= step.time;
 }
 
 /// A step may ask for a collision; any other one costs.
@@ -131,8 +225,8 @@ void Task::CountCollision(const TaskInputs& inputs) {
   ++status_.collisions;
   if (status_.step >= status_.steps) return;
   const TaskStep& spec = steps_[status_.step].spec;
-  const bool asked = spec.kind == TaskStep::Kind::kContact &&
-                     (spec.object.empty() || spec.object == inputs.contact_object);
+  const bool touches = spec.kind == TaskStep::Kind::kContact || spec.kind == TaskStep::Kind::kGrasp;
+  const bool asked = touches && (spec.object.empty() || spec.object == inputs.contact_object);
   if (asked) ++asked_collisions_;
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "sim/disposal/disposal_status.h"
 #include "sim/robot/robot_state.h"
 #include "sim/task/scenario.h"
 #include "sim/world/world_model.h"
@@ -17,7 +19,13 @@ namespace eod::sim {
 enum class MissionState : int8_t { kIdle, kBrief, kRun, kSuccess, kFail, kAbort };
 
 /// Numbers of ROB_MISSION.FailReason.
-enum class FailReason : int8_t { kNone = 0, kTimeOut = 2, kRollover = 3 };
+enum class FailReason : int8_t {
+  kNone = 0,
+  kExploded = 1,
+  kTimeOut = 2,
+  kRollover = 3,
+  kBombLost = 8
+};
 
 struct TaskStatus {
   MissionState state = MissionState::kIdle;
@@ -45,16 +53,20 @@ struct TaskInputs {
   /// [m] from the foremost point of the robot to what is ahead; infinity if nothing
   double forward_clearance = 0;
   std::string_view forward_object;
+  const DisposalStatus* disposal = nullptr;     ///< null: as if no charge was there
+  std::span<const Eigen::Isometry3d> movables;  ///< X_MO, in the order of ModuleModel::movables
 };
 
 /// Progress through a scenario's steps. Pure; no allocation in Advance.
 ///
 /// The score is the share of the completed steps' weights, 0..100, less 2 for every collision that
-/// no step asked for, and never below 0.
+/// no step asked for, and never below 0. Touching what is to be grasped is asked for.
+///
+/// A detonation, a dropped charge, a rollover or the time limit fails the mission.
 class Task {
  public:
   /// Throws std::runtime_error that names the scenario's file, if a step's object is not in
-  /// `module`.
+  /// `module`, or is not what the step needs: a movable to grasp, a vessel to place in.
   Task(const Scenario& scenario, const ModuleModel& module);
 
   const TaskStatus& Advance(const TaskInputs& inputs);
@@ -69,12 +81,19 @@ class Task {
  private:
   struct Step {
     TaskStep spec;
-    Eigen::Isometry3d X_OM = Eigen::Isometry3d::Identity();  ///< module's frame in the object's
+    Eigen::Isometry3d X_MO = Eigen::Isometry3d::Identity();  ///< of the object, at the start
+    int movable = -1;  ///< index of the object among the movables
+    VesselSpec vessel;
   };
+  static Step MakeStep(const TaskStep& spec, const Scenario& scenario, const ModuleModel& module);
   void Start(const RobotState& state);
+  void WatchGrasp(const TaskInputs& inputs);
   bool IsComplete(const Step& step, const TaskInputs& inputs);
-  bool HasPassed(const Step& gate, const Eigen::Vector3d& p_M);
+  bool HasPassed(const Step& gate, const Eigen::Vector3d& p_M) const;
   bool HasStopped(const TaskStep& step, const TaskInputs& inputs);
+  bool HasHeldStill(const TaskStep& step, const TaskInputs& inputs);
+  bool IsLifted(const Step& step, const TaskInputs& inputs) const;
+  FailReason Failure(const TaskInputs& inputs) const;
   void CountCollision(const TaskInputs& inputs);
   void CompleteStep(const RobotState& state);
   double Score() const;
@@ -85,6 +104,8 @@ class Task {
   int64_t elapsed_steps_ = 0;
   int asked_collisions_ = 0;
   int still_steps_ = 0;
+  int held_ = -1;                                   ///< movable in the gripper
+  double grasp_height_ = 0;                         ///< [m] z of its frame when it was grasped
   Eigen::Vector3d mark_ = Eigen::Vector3d::Zero();  ///< where the last step was completed
   Eigen::Vector3d last_position_ = Eigen::Vector3d::Zero();
 };

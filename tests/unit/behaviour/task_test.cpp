@@ -1,66 +1,11 @@
 #include "sim/task/task.h"
 
-#include <fstream>
-#include <limits>
-
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/unit/behaviour/fixture.h"
+#include "tests/unit/behaviour/mission_under_way.h"
 
 namespace eod::sim {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::StartsWith;
-
-ModuleModel Flat() {
-  ModuleModel module;
-  module.id = 1;
-  module.name = "flat";
-  for (const char* name : {"wall", "gate_1", "board"}) {
-    WorldObject object;
-    object.name = name;
-    module.objects.push_back(object);
-  }
-  // Driven through along X: its opening is along Y.
-  module.objects[1].X_MO.translation() = Eigen::Vector3d(-4, 1.9, 0);
-  return module;
-}
-
-/// A mission under way, fed by hand.
-struct Mission {
-  RobotState state;
-  TaskInputs inputs;
-  Task task;
-
-  explicit Mission(std::vector<TaskStep> steps, double time_limit_s = 0)
-      : task(Make(std::move(steps), time_limit_s), Flat()) {
-    inputs.dt_s = 0.1;
-    inputs.state = &state;
-    inputs.forward_clearance = std::numeric_limits<double>::infinity();
-    inputs.started = true;
-    Step();
-    inputs.started = false;
-  }
-  static Scenario Make(std::vector<TaskStep> steps, double time_limit_s) {
-    Scenario scenario;
-    scenario.steps = std::move(steps);
-    scenario.time_limit_s = time_limit_s;
-    return scenario;
-  }
-  TaskStatus Step() { return task.Advance(inputs); }
-};
-
-TaskStep StepOf(TaskStep::Kind kind, const std::string& object, double distance = 0,
-                double tolerance = 0) {
-  TaskStep step;
-  step.kind = kind;
-  step.object = object;
-  step.distance = distance;
-  step.tolerance = tolerance;
-  return step;
-}
 
 TEST(Task, WaitsIdleUntilItIsStarted) {
   Task dut(Mission::Make({StepOf(TaskStep::Kind::kContact, "wall")}, 0), Flat());
@@ -168,60 +113,6 @@ TEST(Task, UnknownObjectIsRefused) {
     FAIL();
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "x.toml: object 'wal' is not in module 1 (flat)");
-  }
-}
-
-// ---- the file
-
-std::string LoadError(const std::string& text) {
-  const auto file = std::filesystem::path(::testing::TempDir()) / "scenario_under_test.toml";
-  std::ofstream(file) << text;
-  try {
-    LoadScenario(file);
-  } catch (const std::runtime_error& error) {
-    std::string what = error.what();
-    EXPECT_THAT(what, StartsWith(file.string() + ":"));
-    EXPECT_EQ(what.find('\n'), std::string::npos);
-    return what.substr(file.string().size() + 1);
-  }
-  return "no error";
-}
-
-TEST(LoadScenario, ReadsTheShippedOne) {
-  const Scenario dut = LoadScenario(kData / "sim/scenarios/flat_first_drive.toml");
-  EXPECT_EQ(dut.name, "flat_first_drive");
-  EXPECT_EQ(dut.module, 1);
-  ASSERT_EQ(dut.steps.size(), 4u);
-  EXPECT_EQ(dut.steps[0].kind, TaskStep::Kind::kContact);
-  EXPECT_EQ(dut.steps[1].distance, 0.5);
-  EXPECT_EQ(dut.steps[2].object, "gate_1");
-  EXPECT_EQ(dut.steps[3].tolerance, 0.05);
-}
-
-TEST(LoadScenario, ErrorsNameLineAndRemedy) {
-  EXPECT_EQ(LoadError("name = 'a'\nmodule = 1\npar_tme_s = 3\n"),
-            "3: unknown key 'par_tme_s'; did you mean 'par_time_s'?");
-  EXPECT_EQ(LoadError("name = 'a'\nmodule = 7\n"), "2: module = 7, allowed 1 .. 5");
-  EXPECT_EQ(LoadError("name = 'a'\nmodule = 'flat'\n"), "2: 'module' has to be a whole number");
-  EXPECT_EQ(LoadError("name = 'a'\n"), "1: key 'module' is missing");
-  EXPECT_THAT(LoadError("name = \n"), StartsWith("1: "));
-  const std::string head = "name = 'a'\nmodule = 1\n[[step]]\n";
-  EXPECT_EQ(LoadError(head + "kind = 'contract'\ntext = ''\n"),
-            "4: kind = 'contract' is unknown; did you mean 'contact'?");
-  EXPECT_EQ(LoadError(head + "kind = 'clear'\ntext = ''\ndistance = 1\n"),
-            "6: unknown key 'distance'; did you mean 'distance_m'?");
-  EXPECT_EQ(LoadError(head + "kind = 'stop_at'\ntext = ''\nobject = 'b'\ndistance_m = -1\n"),
-            "7: distance_m = -1, allowed 0 .. 3000");
-  EXPECT_THAT(LoadError(head + "kind = 'pass_gate'\ntext = ''\n"),
-              HasSubstr("'object' is missing"));
-}
-
-TEST(LoadScenario, MissingFileIsNamed) {
-  try {
-    LoadScenario("/nowhere/at.toml");
-    FAIL();
-  } catch (const std::runtime_error& error) {
-    EXPECT_STREQ(error.what(), "/nowhere/at.toml: no such scenario file");
   }
 }
 

@@ -1,0 +1,150 @@
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/task/task.h"
+#include "tests/unit/behaviour/fixture.h"
+
+namespace eod::sim {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+std::string LoadError(const std::string& text) {
+  const auto file = std::filesystem::path(::testing::TempDir()) / "scenario_under_test.toml";
+  std::ofstream(file) << text;
+  try {
+    LoadScenario(file);
+  } catch (const std::runtime_error& error) {
+    std::string what = error.what();
+    EXPECT_THAT(what, StartsWith(file.string() + ":"));
+    EXPECT_EQ(what.find('\n'), std::string::npos);
+    return what.substr(file.string().size() + 1);
+  }
+  return "no error";
+}
+
+TEST(LoadScenario, ReadsTheShippedOne) {
+  const Scenario dut = LoadScenario(kData / "sim/scenarios/flat_first_drive.toml");
+  EXPECT_EQ(dut.name, "flat_first_drive");
+  EXPECT_EQ(dut.module, 1);
+  ASSERT_EQ(dut.steps.size(), 4u);
+  EXPECT_EQ(dut.steps[0].kind, TaskStep::Kind::kContact);
+  EXPECT_EQ(dut.steps[1].distance, 0.5);
+  EXPECT_EQ(dut.steps[2].object, "gate_1");
+  EXPECT_EQ(dut.steps[3].tolerance, 0.05);
+}
+
+TEST(LoadScenario, ErrorsNameLineAndRemedy) {
+  EXPECT_EQ(LoadError("name = 'a'\nmodule = 1\npar_tme_s = 3\n"),
+            "3: unknown key 'par_tme_s'; did you mean 'par_time_s'?");
+  EXPECT_EQ(LoadError("name = 'a'\nmodule = 7\n"), "2: module = 7, allowed 1 .. 5");
+  EXPECT_EQ(LoadError("name = 'a'\nmodule = 'flat'\n"), "2: 'module' has to be a whole number");
+  EXPECT_EQ(LoadError("name = 'a'\n"), "1: key 'module' is missing");
+  EXPECT_THAT(LoadError("name = \n"), StartsWith("1: "));
+  const std::string head = "name = 'a'\nmodule = 1\n[[step]]\n";
+  EXPECT_EQ(LoadError(head + "kind = 'contract'\ntext = ''\n"),
+            "4: kind = 'contract' is unknown; did you mean 'contact'?");
+  EXPECT_EQ(LoadError(head + "kind = 'clear'\ntext = ''\ndistance = 1\n"),
+            "6: unknown key 'distance'; did you mean 'distance_m'?");
+  EXPECT_EQ(LoadError(head + "kind = 'stop_at'\ntext = ''\nobject = 'b'\ndistance_m = -1\n"),
+            "7: distance_m = -1, allowed 0 .. 3000");
+  EXPECT_THAT(LoadError(head + "kind = 'pass_gate'\ntext = ''\n"),
+              HasSubstr("'object' is missing"));
+}
+
+TEST(LoadScenario, ReadsEveryKindWithWhatItNeeds) {
+  const auto file = std::filesystem::path(::testing::TempDir()) / "scenario_of_every_kind.toml";
+  std::ofstream(file) << R"(
+name = 'all'
+module = 3
+[[step]]
+kind = 'grasp'
+object = 'charge_m'
+text = ''
+[[step]]
+kind = 'lift'
+distance_m = 0.2
+text = ''
+[[step]]
+kind = 'place_in_vessel'
+object = 'can'
+text = ''
+[[step]]
+kind = 'disrupt'
+text = ''
+[[step]]
+kind = 'climb'
+x_m = 4
+y_m = 11.5
+distance_m = 1.5
+tolerance_m = 0.5
+text = ''
+[[step]]
+kind = 'hold_still'
+time_s = 10
+tilt_deg = 18
+text = ''
+[[step]]
+kind = 'retreat'
+object = 'can'
+distance_m = 10
+text = ''
+)";
+  const Scenario dut = LoadScenario(file);
+  ASSERT_EQ(dut.steps.size(), 7u);
+  EXPECT_EQ(dut.steps[0].kind, TaskStep::Kind::kGrasp);
+  EXPECT_EQ(dut.steps[0].object, "charge_m");
+  EXPECT_EQ(dut.steps[1].kind, TaskStep::Kind::kLift);
+  EXPECT_EQ(dut.steps[1].distance, 0.2);
+  EXPECT_EQ(dut.steps[2].kind, TaskStep::Kind::kPlaceInVessel);
+  EXPECT_EQ(dut.steps[3].kind, TaskStep::Kind::kDisrupt);
+  EXPECT_EQ(dut.steps[4].kind, TaskStep::Kind::kClimb);
+  EXPECT_EQ(dut.steps[4].y, 11.5);
+  EXPECT_EQ(dut.steps[5].kind, TaskStep::Kind::kHoldStill);
+  EXPECT_EQ(dut.steps[5].time, 10);
+  EXPECT_NEAR(dut.steps[5].tilt, 18 * kDegree, 1e-15);
+  EXPECT_EQ(dut.steps[6].kind, TaskStep::Kind::kRetreat);
+  EXPECT_EQ(dut.steps[6].distance, 10);
+}
+
+TEST(LoadScenario, StepsThatLackWhatTheirKindNeedsAreRefused) {
+  const std::string head = "name = 'a'\nmodule = 3\n[[step]]\ntext = ''\n";
+  EXPECT_THAT(LoadError(head + "kind = 'grasp'\n"), HasSubstr("'object' is missing"));
+  EXPECT_THAT(LoadError(head + "kind = 'lift'\n"), HasSubstr("'distance_m' is missing"));
+  EXPECT_THAT(LoadError(head + "kind = 'place_in_vessel'\n"), HasSubstr("'object' is missing"));
+  EXPECT_THAT(LoadError(head + "kind = 'hold_still'\n"), HasSubstr("'time_s' is missing"));
+  EXPECT_THAT(LoadError(head + "kind = 'climb'\ndistance_m = 1\ntolerance_m = 1\n"),
+              HasSubstr("'x_m' is missing"));
+  EXPECT_EQ(LoadError(head + "kind = 'hold_still'\ntime_s = 1\ntilt_deg = 91\n"),
+            "7: tilt_deg = 91, allowed 0 .. 90");
+  EXPECT_EQ(LoadError(head + "kind = 'graps'\n"),
+            "5: kind = 'graps' is unknown; did you mean 'grasp'?");
+}
+
+TEST(ShippedScenarios, NameObjectsThatTheirModulesHave) {
+  const WorldModel world = LoadWorld(kData / "sim/worlds/training_ground.sdf");
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kData / "sim/scenarios")) {
+    const Scenario scenario = LoadScenario(entry.path());
+    EXPECT_EQ(scenario.name, entry.path().stem().string());
+    EXPECT_FALSE(scenario.steps.empty()) << scenario.name;
+    EXPECT_NO_THROW(Task(scenario, world.Module(scenario.module))) << scenario.name;
+    ++count;
+  }
+  EXPECT_GE(count, 7);
+}
+
+TEST(LoadScenario, MissingFileIsNamed) {
+  try {
+    LoadScenario("/nowhere/at.toml");
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "/nowhere/at.toml: no such scenario file");
+  }
+}
+
+}  // namespace
+}  // namespace eod::sim
