@@ -30,11 +30,12 @@ Place::Place(RobotModel& robot, int probe, const WorldModel& all, const ModuleMo
       task(ScenarioIn(model, scenario), model),
       module_(model),
       probe_(probe) {
+  hidden_.assign(model.movables.size(), 0);
   const int movables = static_cast<int>(model.movables.size());
   movable_of_object_.assign(static_cast<size_t>(world.ObjectOfMovable(movables)), -1);
   for (int m = 0; m < movables; ++m) {
     movable_of_object_[static_cast<size_t>(world.ObjectOfMovable(m))] = m;
-    shown_.push_back({.X_MO = model.movables[static_cast<size_t>(m)].X_MO});
+    poses_.push_back(model.movables[static_cast<size_t>(m)].X_MO);
   }
 }
 
@@ -67,12 +68,12 @@ void Place::FollowBodies() {
   const std::span<const BodyState> states = bodies.states();
   for (size_t i = 0; i < states.size(); ++i) {
     const int body = static_cast<int>(i), object = world.ObjectOfMovable(body);
-    Shown& shown = shown_[i];
     const bool hide = states[i].is_gone || disposal.Ignores(body);
-    if (hide && !shown.is_hidden) world.Hide(object);
-    const bool moved = shown.X_MO.matrix() != states[i].X_MO.matrix();
-    if (!hide && (moved || shown.is_hidden)) world.Move(object, states[i].X_MO);
-    shown = {.X_MO = states[i].X_MO, .is_hidden = hide};
+    if (hide && hidden_[i] == 0) world.Hide(object);
+    const bool moved = poses_[i].matrix() != states[i].X_MO.matrix();
+    if (!hide && (moved || hidden_[i] != 0)) world.Move(object, states[i].X_MO);
+    poses_[i] = states[i].X_MO;
+    hidden_[i] = hide ? 1 : 0;
   }
 }
 

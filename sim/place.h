@@ -29,6 +29,8 @@ class Place {
   void MoveBodies(double dt_s, std::span<const Eigen::Isometry3d> X_ML);
 
   const ModuleModel& module() const { return module_; }
+  /// X_MO of the movables, after the last MoveBodies.
+  std::span<const Eigen::Isometry3d> poses() const { return poses_; }
   std::span<const int> movable_of_object() const { return movable_of_object_; }
 
   BuiltWorld world;
@@ -46,12 +48,8 @@ class Place {
   const ModuleModel& module_;
   int probe_;
   std::vector<int> movable_of_object_;
-  /// Where the world has each movable.
-  struct Shown {
-    Eigen::Isometry3d X_MO;
-    bool is_hidden = false;
-  };
-  std::vector<Shown> shown_;
+  std::vector<Eigen::Isometry3d> poses_;  ///< where the world has each movable ...
+  std::vector<char> hidden_;              ///< ... unless it meets nothing
 };
 
 }  // namespace eod::sim

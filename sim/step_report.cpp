@@ -77,6 +77,8 @@ void Simulator::UpdateTask(uint32_t contacts_before) {
   }
   inputs.forward_clearance = ahead.clearance;
   inputs.forward_object = place_->world.ObjectName(ahead.object);
+  inputs.disposal = &result_.disposal;
+  inputs.movables = place_->poses();
   const TaskStatus before = result_.task;
   // A pause stops the exercise's clock too.
   result_.task = paused_ ? place_->task.status() : place_->task.Advance(inputs);
