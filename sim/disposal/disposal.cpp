@@ -29,7 +29,7 @@ Disposal::Disposal(RobotModel& robot, int probe, const ModuleModel& module, cons
       hand_(robot),
       wrist_(FindLink(robot, "wrist")),
       grasp_(rules.grasp, mode),
-      push_(robot, module, rules.charge),
+      push_(robot, rules.charge),
       watch_(module, rules.charge, rules.vessel),
       circuit_(rules.disrupter, seed),
       touched_(module.movables.size()) {

@@ -6,14 +6,13 @@
 
 namespace eod::sim {
 
-MotionSet PushThrough::BlockedByCharges(std::span<const CastSegment> segments,
-                                        const Response& response,
-                                        std::span<const int> movable_of_object) const {
+MotionSet PushThrough::BlockedByMovables(std::span<const CastSegment> segments,
+                                         const Response& response,
+                                         std::span<const int> movable_of_object) const {
   MotionSet by_others = SetOf(kGripperOpen) | SetOf(kGripperClose);
   for (size_t i = 0; i < segments.size(); ++i) {
-    const int movable = MovableOf(movable_of_object, segments[i].hit.object);
-    const bool is_charge = movable >= 0 && module_.movables[movable].explosive.has_value();
-    if (!is_charge) by_others |= response.contacts[i].blocks;
+    const bool yields = MovableOf(movable_of_object, segments[i].hit.object) >= 0;
+    if (!yields) by_others |= response.contacts[i].blocks;
   }
   return response.blocked & ~by_others;
 }
@@ -22,7 +21,7 @@ MotionSet PushThrough::Update(const MotionDemand& demand, std::span<const CastSe
                               const Response& response, std::span<const int> movable_of_object,
                               double dt_s) {
   const MotionSet pushed =
-      BlockedByCharges(segments, response, movable_of_object) & demand.commanded;
+      BlockedByMovables(segments, response, movable_of_object) & demand.commanded;
   MotionSet let_through = 0;
   for (int motion = 0; motion < kMotionCount; ++motion) {
     int& steps = blocked_steps_[motion];

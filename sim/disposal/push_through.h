@@ -5,17 +5,15 @@
 
 #include "sim/response/response.h"
 #include "sim/rules/disposal_rules.h"
-#include "sim/world/world_model.h"
 
 namespace eod::sim {
 
-/// "Continue pushing after contact" (3.4): a motion that charges alone stop goes on, slowly, when
-/// it is commanded long enough after the alarm. What happens then is the charge's affair.
+/// "Continue pushing after contact" (3.4): a motion that only movable things stop goes on, slowly,
+/// when it is commanded long enough after the alarm: cartons slide, charges topple.
 class PushThrough {
  public:
-  /// `robot` and `module` must outlive it.
-  PushThrough(const RobotModel& robot, const ModuleModel& module, const ChargeRules& rules)
-      : robot_(robot), module_(module), rules_(rules) {}
+  /// `robot` must outlive it.
+  PushThrough(const RobotModel& robot, const ChargeRules& rules) : robot_(robot), rules_(rules) {}
   void Reset() { blocked_steps_ = {}; }
 
   /// Judges one step; `response` is the answer to `demand` on `segments`. Returns the blocked
@@ -28,11 +26,10 @@ class PushThrough {
   double RateOf(int motion, int speed_range) const;
 
  private:
-  MotionSet BlockedByCharges(std::span<const CastSegment> segments, const Response& response,
-                             std::span<const int> movable_of_object) const;
+  MotionSet BlockedByMovables(std::span<const CastSegment> segments, const Response& response,
+                              std::span<const int> movable_of_object) const;
 
   const RobotModel& robot_;
-  const ModuleModel& module_;
   ChargeRules rules_;
   std::array<int, kMotionCount> blocked_steps_{};
 };

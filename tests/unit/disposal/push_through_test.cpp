@@ -34,10 +34,10 @@ TEST(PushThrough, AfterASecondOfPushingTheRobotCreepsOnIntoTheCharge) {
 
 TEST(PushThrough, ACreepingRobotIsNotMadeFasterAndAnArmTakesItsShare) {
   Bench bench;
-  EXPECT_EQ(PushThrough(bench.robot, bench.module, TheRules().charge).RateOf(kDriveForward, 0), 1);
-  EXPECT_NEAR(PushThrough(bench.robot, bench.module, TheRules().charge).RateOf(kDriveForward, 2),
-              0.10 / 0.67, 1e-12);
-  EXPECT_EQ(PushThrough(bench.robot, bench.module, TheRules().charge).RateOf(kBigArmDown, 1),
+  EXPECT_EQ(PushThrough(bench.robot, TheRules().charge).RateOf(kDriveForward, 0), 1);
+  EXPECT_NEAR(PushThrough(bench.robot, TheRules().charge).RateOf(kDriveForward, 2), 0.10 / 0.67,
+              1e-12);
+  EXPECT_EQ(PushThrough(bench.robot, TheRules().charge).RateOf(kBigArmDown, 1),
             TheRules().charge.push_share);
 }
 
