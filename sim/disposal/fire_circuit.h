@@ -14,7 +14,7 @@ namespace eod::sim {
 /// is ready, within `both_within` of each other, held for `hold` with the right nonce: fired, once;
 /// the cartridge is gone. No shot for `time_out`: timed out. A contact of 0 or 3: fault. From
 /// fired, timed out and fault only the key leads back to safe, with both buttons released. A panel
-/// that has never said anything is safe.
+/// that has never said anything is safe, and so is a key that has not been seen in safe yet.
 class FireCircuit {
  public:
   FireCircuit(const DisrupterRules& rules, uint64_t seed) : rules_(rules), seed_(seed) {}
