@@ -242,14 +242,19 @@ TEST(TrainingGroundPictures, StayWithinTheTriangleAndDrawBudget) {
   OfflineCamera dut(robot, world, 160, 120);
   SceneSnapshot snapshot;
   snapshot.state = HomeState(robot);
-  for (const double heading_deg : {0, 60, 120, 180, 240, 300}) {
-    for (const Vector3d& place : {Vector3d(0, 0, 0), Vector3d(0, -30, 0), Vector3d(-20, 15, 0)}) {
-      snapshot.state.position = place;
-      snapshot.state.attitude.heading = heading_deg * kDegree;
-      for (const char* camera : {"drive", "mast"}) {
-        dut.Take(snapshot, camera);
-        EXPECT_LE(dut.counters().triangles, 50000) << camera << " at " << place.transpose();
-        EXPECT_LE(dut.counters().draw_calls, 250) << camera << " at " << place.transpose();
+  for (const ModuleModel& module : world.modules) {
+    snapshot.module = module.id;
+    for (const double heading_deg : {0, 60, 120, 180, 240, 300}) {
+      for (const Vector3d& place : {Vector3d(0, 0, 0), Vector3d(0, -30, 0), Vector3d(-20, 15, 0)}) {
+        snapshot.state.position = place;
+        snapshot.state.attitude.heading = heading_deg * kDegree;
+        for (const char* camera : {"drive", "mast"}) {
+          dut.Take(snapshot, camera);
+          EXPECT_LE(dut.counters().triangles, 50000)
+              << module.name << " " << camera << " at " << place.transpose();
+          EXPECT_LE(dut.counters().draw_calls, 250)
+              << module.name << " " << camera << " at " << place.transpose();
+        }
       }
     }
   }
