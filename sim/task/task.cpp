@@ -111,11 +111,11 @@ const TaskStatus& Task::Advance(const TaskInputs& inputs) {
   return status_;
 }
 
-/// A charge that is lost spoils even the last step; tilt and time do not.
+/// A charge that goes off spoils even the last step; tilt and time do not.
 FailReason Task::Failure(const TaskInputs& inputs) const {
-  if (inputs.disposal != nullptr) {
-    if (inputs.disposal->detonation != DetonationCause::kNone) return FailReason::kExploded;
-    if (inputs.disposal->bomb == BombState::kDropped) return FailReason::kBombLost;
+  const DisposalStatus* disposal = inputs.disposal;
+  if (disposal != nullptr && disposal->detonation != DetonationCause::kNone) {
+    return FailReason::kExploded;
   }
   if (status_.step == status_.steps) return FailReason::kNone;
   if (inputs.rolled_over) return FailReason::kRollover;

@@ -62,7 +62,7 @@ struct TaskInputs {
 /// The score is the share of the completed steps' weights, 0..100, less 2 for every collision that
 /// no step asked for, and never below 0. Touching what is to be grasped is asked for.
 ///
-/// A detonation, a dropped charge, a rollover or the time limit fails the mission.
+/// A detonation, a rollover or the time limit fails the mission.
 class Task {
  public:
   /// Throws std::runtime_error that names the scenario's file, if a step's object is not in

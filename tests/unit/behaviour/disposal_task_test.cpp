@@ -135,11 +135,10 @@ TEST(DisposalTask, DetonationFailsEvenTheLastStep) {
   EXPECT_EQ(dut.task.status().fail_reason, FailReason::kExploded);
 }
 
-TEST(DisposalTask, DroppedChargeIsLost) {
+TEST(DisposalTask, FallingChargeIsNotJudgedBeforeItLands) {
   Disposal dut({StepOf(TaskStep::Kind::kGrasp, "small")});
   dut.disposal.bomb = BombState::kDropped;
-  EXPECT_EQ(dut.Step().state, MissionState::kFail);
-  EXPECT_EQ(dut.task.status().fail_reason, FailReason::kBombLost);
+  EXPECT_EQ(dut.Step().state, MissionState::kRun);
 }
 
 TEST(DisposalTask, WithoutChargesItsStepsAreNeverDone) {

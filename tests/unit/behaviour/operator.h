@@ -33,8 +33,7 @@ struct Operator {
   TimePoint now{};
   Duration period;
 
-  explicit Operator(const SimulatorConfig& config = {})
-      : Operator(TheSharpRobot(), config) {}
+  explicit Operator(const SimulatorConfig& config = {}) : Operator(TheSharpRobot(), config) {}
   Operator(const RobotModel& robot, const SimulatorConfig& config)
       : dut(robot, TheWorld(), FirstDrive(), WithRules(config)), period(config.period) {
     command.motion_permitted = true;

@@ -96,7 +96,7 @@ inline Terrain Stairs(double rise, double run, int count, double foot, double le
   return stairs;
 }
 
-/// The shipped robot on a terrain, with somebody at the controls.
+/// The shipped robot on a terrain, without accelerations, with somebody at the controls.
 struct Driver {
   WorldModel world;
   Scenario free;
@@ -106,7 +106,7 @@ struct Driver {
   std::function<void(const StepResult&)> watch = [](const StepResult&) {};
 
   explicit Driver(const Terrain& terrain, const SimulatorConfig& config = {})
-      : world(WorldOf(terrain)), dut(TheRobot(), world, free, WithRules(config)) {
+      : world(WorldOf(terrain)), dut(TheSharpRobot(), world, free, WithRules(config)) {
     command.motion_permitted = true;
   }
   Driver(const Driver&) = delete;

@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include "tests/scenario/operator_script.h"
+
+namespace eod::lockstep {
+namespace {
+
+using namespace std::chrono_literals;
+
+const std::filesystem::path kPickUp = kData / "firmware_emu/scripts/bomb_ground.boxscript";
+
+/// At charge M, the gripper round it and open.
+std::string AroundChargeM() {
+  return PowerUp("bomb") +
+         "speed low\nhold preset ground_pick until joint 4 >= 108.6 within 20s\n"
+         "hold M17 until joint 7 >= 0.08 within 4s\n"
+         "hold M01 until travel >= 4.5 within 30s\nwait 500ms\nspeed creep\n"
+         "hold M01 until travel >= 0.238 within 30s\nwait 1s\n";
+}
+
+std::string TakeChargeM() {
+  return AroundChargeM() +
+         "hold M18 until grasp grasped within 6s\nwait 500ms\nhold M09 for 2s\nwait 500ms\n";
+}
+
+TEST(Disposal, ChargeFromTheGroundEndsInTheCan) {
+  Mission dut(box::LoadScript(kPickUp), ShippedScenario("bomb_ground_m"));
+  ASSERT_TRUE(dut.Run(300s));
+  EXPECT_EQ(dut.box().script_failure(), std::nullopt);
+  const sim::StepResult& last = dut.rig().simulator().last();
+  EXPECT_EQ(last.task.state, sim::MissionState::kSuccess);
+  EXPECT_EQ(last.disposal.bomb, sim::BombState::kInCan);
+}
+
+TEST(Disposal, TwoRunsGiveTheSameBits) {
+  Mission first(box::LoadScript(kPickUp), ShippedScenario("bomb_ground_m"));
+  Mission second(box::LoadScript(kPickUp), ShippedScenario("bomb_ground_m"));
+  ASSERT_TRUE(first.Run(300s));
+  ASSERT_TRUE(second.Run(300s));
+  EXPECT_TRUE(first.can_log() == second.can_log());
+  EXPECT_TRUE(first.states() == second.states());
+}
+
+TEST(Disposal, ChargeDroppedOnTheGroundGoesOff) {
+  Mission dut = RunMission(TakeChargeM() +
+                               "hold M17 for 1s\nwait bomb exploded within 3s\n"
+                               "wait mission fail within 1s\nexpect failure exploded\n",
+                           "bomb_ground_m");
+  ASSERT_TRUE(dut.Run(120s));
+  EXPECT_EQ(dut.box().script_failure(), std::nullopt);
+  const sim::DisposalStatus& disposal = dut.rig().simulator().last().disposal;
+  EXPECT_EQ(disposal.detonation, sim::DetonationCause::kDropped);
+  EXPECT_TRUE(disposal.robot_destroyed);
+}
+
+TEST(Disposal, PushingOnAfterTheAlarmTopplesTheChargeWhichGoesOff) {
+  // The closed hand high on the charge, straight into it.
+  Mission dut = RunMission(PowerUp("bomb") +
+                               "speed low\nhold preset ground_pick until joint 4 >= 108.6 within "
+                               "20s\nhold M09 for 1s\nwait 500ms\nhold M01 until travel >= 4.3 "
+                               "within 30s\nspeed creep\npress M01\nwait bomb touched within 15s\n"
+                               "wait alarm any within 1s\nwait bomb exploded within 30s\n"
+                               "expect failure exploded\n",
+                           "bomb_ground_m");
+  ASSERT_TRUE(dut.Run(120s));
+  EXPECT_EQ(dut.box().script_failure(), std::nullopt);
+  EXPECT_EQ(dut.rig().simulator().last().disposal.detonation, sim::DetonationCause::kTipped);
+}
+
+}  // namespace
+}  // namespace eod::lockstep
