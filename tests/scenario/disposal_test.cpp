@@ -67,5 +67,21 @@ TEST(Disposal, PushingOnAfterTheAlarmTopplesTheChargeWhichGoesOff) {
   EXPECT_EQ(dut.rig().simulator().last().disposal.detonation, sim::DetonationCause::kTipped);
 }
 
+TEST(Disposal, DisrupterFiresOnlyWithKeyCircuitAndBothHands) {
+  const std::string armed = PowerUp("bomb") +
+                            "arm_key safe\nwait 200ms\narm_key armed\n"
+                            "circuit 1\nwait fire ready within 3s\n";
+  Mission one_hand =
+      RunMission(armed + "fire_left pressed\nwait 1s\nexpect not fire fired\n", "bomb_disrupt");
+  ASSERT_TRUE(one_hand.Run(60s));
+  EXPECT_EQ(one_hand.box().script_failure(), std::nullopt);
+  Mission both = RunMission(armed +
+                                "fire_left pressed\nwait 100ms\nfire_right pressed\n"
+                                "wait fire fired within 2s\nwait lamp fired on within 1s\n",
+                            "bomb_disrupt");
+  ASSERT_TRUE(both.Run(60s));
+  EXPECT_EQ(both.box().script_failure(), std::nullopt);
+}
+
 }  // namespace
 }  // namespace eod::lockstep
