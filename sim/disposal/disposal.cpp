@@ -87,9 +87,16 @@ const MotionVerdict& Disposal::Judge(const BeforeMotion& step, Response& respons
     verdict_.right_hand_stopped = step.state->right_opening <= grasp_.right_opening();
     CheckRim(step, response);
   }
-  const bool pressed = closing && left_charge_ >= 0 && left_charge_ == right_charge_;
-  if (grasp_.Squeeze(pressed, step.dt_s)) {
-    judged_ = Detonation{left_charge_, DetonationCause::kSqueezed};
+  // A charge between the pads yields a little now and then: pinched is pinched until the operator
+  // closes no more, or holds it.
+  const int pressed = FirstOf(left_charge_, right_charge_);
+  if (!closing || grasp_.is_held()) {
+    pinched_ = -1;
+  } else if (pressed >= 0 && Contains(response.blocked, kGripperClose)) {
+    pinched_ = pressed;
+  }
+  if (grasp_.Squeeze(pinched_ >= 0, step.dt_s)) {
+    judged_ = Detonation{pinched_, DetonationCause::kSqueezed};
   }
   verdict_.let_through =
       push_.Update(*step.demand, step.segments, response, step.movable_of_object, step.dt_s);

@@ -131,6 +131,7 @@ class Disposal {
   // From Judge to Advance.
   std::vector<char> touched_;                 ///< one a movable
   int left_charge_ = -1, right_charge_ = -1;  ///< pressed by hands that close no more
+  int pinched_ = -1;  ///< charge between hands that could close no more, while closing is commanded
   std::optional<Detonation> judged_;
   bool opening_ = false;
   bool too_heavy_ = false;

@@ -67,6 +67,69 @@ TEST(Disposal, PushingOnAfterTheAlarmTopplesTheChargeWhichGoesOff) {
   EXPECT_EQ(dut.rig().simulator().last().disposal.detonation, sim::DetonationCause::kTipped);
 }
 
+/// Moves joint `joint` [deg] to `target` with motion `motion`, the last degrees slowly.
+std::string MoveJoint(int joint, double target, std::string_view motion, bool down) {
+  const double sign = down ? 1 : -1;
+  return fmt::format(
+      "rate 100%\nhold {0} until joint {1} {2} {3} within 30s\nrate 10%\n"
+      "hold {0} until joint {1} {2} {4} within 30s\nrate 100%\nwait 300ms\n",
+      motion, joint, down ? "<=" : ">=", target + sign * 4, target + sign * 0.05);
+}
+
+std::string Open(double metres) {
+  return fmt::format("hold M17 until joint 7 >= {} within 4s\n", metres);
+}
+
+constexpr std::string_view kTakeAndLift =
+    "wait 500ms\nhold M18 until grasp grasped within 6s\nwait 500ms\nhold M09 for 2s\n"
+    "wait bomb carried within 1s\nexpect lamp grasp on\n";
+
+TEST(Disposal, SmallChargeIsTakenFromTheTable) {
+  Mission dut = RunMission(PowerUp("bomb") + DriveAhead(2) + TurnTo(90, true) + DriveAhead(4) +
+                               TurnTo(0.25, false) + MoveJoint(3, 54.3, "M10", true) +
+                               MoveJoint(4, 99.3, "M11", false) + MoveJoint(5, 26.4, "M14", true) +
+                               Open(0.05) + DriveAhead(2.85) + std::string(kTakeAndLift),
+                           "bomb_table_s");
+  ASSERT_TRUE(dut.Run(120s));
+  EXPECT_EQ(dut.box().script_failure(), std::nullopt);
+}
+
+TEST(Disposal, LargeChargeIsTakenUnderTheBench) {
+  Mission dut =
+      RunMission(PowerUp("bomb") + DriveAhead(2) + TurnTo(270, false) + DriveAhead(4) +
+                     TurnTo(359.75, true) + MoveJoint(4, 123.9, "M11", false) +
+                     MoveJoint(3, 7.0, "M10", true) + MoveJoint(5, 49.1, "M13", false) + Open(0.1) +
+                     DriveAhead(2.70) + "wait 500ms\nhold M18 until grasp grasped within 8s\n",
+                 "bomb_bench_l");
+  ASSERT_TRUE(dut.Run(120s));
+  EXPECT_EQ(dut.box().script_failure(), std::nullopt);
+}
+
+TEST(Disposal, ChargeSqueezedOffItsMiddleGoesOff) {
+  // 38 mm short of the middle: the five lines never agree.
+  const std::string off_centre =
+      PowerUp("bomb") + "speed low\nhold preset ground_pick until joint 4 >= 108.6 within 20s\n" +
+      Open(0.08) +
+      "hold M01 until travel >= 4.5 within 30s\nwait 500ms\nspeed creep\n"
+      "hold M01 until travel >= 0.2 within 30s\nwait 1s\n";
+  Mission dut =
+      RunMission(off_centre + "press M18\nwait bomb exploded within 8s\nexpect failure exploded\n",
+                 "bomb_ground_m");
+  ASSERT_TRUE(dut.Run(120s));
+  EXPECT_EQ(dut.box().script_failure(), std::nullopt);
+  EXPECT_EQ(dut.rig().simulator().last().disposal.detonation, sim::DetonationCause::kSqueezed);
+}
+
+TEST(Disposal, ChargeCarriedIntoTheRimGoesOff) {
+  Mission dut = RunMission(TakeChargeM() +
+                               "hold preset carry until joint 3 >= 70.0 within 20s\nspeed low\n"
+                               "press M01\nwait bomb exploded within 60s\n",
+                           "bomb_ground_m");
+  ASSERT_TRUE(dut.Run(200s));
+  EXPECT_EQ(dut.box().script_failure(), std::nullopt);
+  EXPECT_EQ(dut.rig().simulator().last().disposal.detonation, sim::DetonationCause::kRimStrike);
+}
+
 TEST(Disposal, DisrupterFiresOnlyWithKeyCircuitAndBothHands) {
   const std::string armed = PowerUp("bomb") +
                             "arm_key safe\nwait 200ms\narm_key armed\n"

@@ -33,7 +33,7 @@ inline std::string DriveAhead(double metres) {
   std::string text;
   if (metres > 1) {
     text += fmt::format("speed high\nhold M01 until travel >= {} within 120s\n", metres - 0.75);
-    metres = 0.75 - 0.224;  // run-out at 1 m/s^2
+    metres = 0.75;  // its run-out counted in
   }
   return text +
          fmt::format("speed creep\nhold M01 until travel >= {} within 60s\nwait 500ms\n", metres);
