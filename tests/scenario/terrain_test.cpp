@@ -55,7 +55,8 @@ TEST_P(RampDrive, UpAndDownThroughTheBox) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Slopes, RampDrive,
-                         ::testing::Values(Ramp{4, 10}, Ramp{12, 20}, Ramp{20, 30}, Ramp{24, 35}),
+                         ::testing::Values(Ramp{4, 10}, Ramp{8, 15}, Ramp{12, 20}, Ramp{16, 25},
+                                           Ramp{20, 30}, Ramp{24, 35}),
                          [](const auto& ramp) {
                            return fmt::format("Of{}Degrees", ramp.param.angle_deg);
                          });
