@@ -32,11 +32,10 @@ Place::Place(RobotModel& robot, int probe, const WorldModel& all, const ModuleMo
       probe_(probe) {
   hidden_.assign(model.movables.size(), 0);
   const int movables = static_cast<int>(model.movables.size());
-  movable_of_object_.assign(static_cast<size_t>(world.ObjectOfMovable(movables)), -1);
-  for (int m = 0; m < movables; ++m) {
-    movable_of_object_[static_cast<size_t>(world.ObjectOfMovable(m))] = m;
-    poses_.push_back(model.movables[static_cast<size_t>(m)].X_MO);
+  for (int object = 0; object < world.ObjectOfMovable(movables); ++object) {
+    movable_of_object_.push_back(world.MovableOfObject(object));
   }
+  for (const MovableObject& movable : model.movables) poses_.push_back(movable.X_MO);
 }
 
 void Place::Reset() {

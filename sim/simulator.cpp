@@ -1,14 +1,11 @@
 #include "sim/simulator.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "sim/all_modules.h"
-#include "sim/look_ahead.h"
 #include "sim/stance/standing.h"
 
 namespace eod::sim {

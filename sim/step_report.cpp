@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "sim/look_ahead.h"
@@ -12,9 +10,6 @@ bool IsSame(TaskStatus a, const TaskStatus& b) {
   a.elapsed_s = b.elapsed_s;
   return a == b;
 }
-
-constexpr MotionSet kDriveMotions =
-    SetOf(kDriveForward) | SetOf(kDriveReverse) | SetOf(kTurnLeft) | SetOf(kTurnRight);
 
 }  // namespace
 
@@ -46,9 +41,7 @@ void Simulator::UpdateAlarms(MotionSet wished, const Inhibition& inhibition) {
     if (Contains(inhibition.limit, motion))
       inputs.driven_joints |= 1u << JointOf(robot_, motion).joint;
   }
-  const Attitude& attitude = result_.state.attitude;
-  inputs.tilt =
-      std::acos(std::clamp(std::cos(attitude.pitch) * std::cos(attitude.roll), -1.0, 1.0));
+  inputs.tilt = TiltOf(result_.state.attitude);
   const DisposalStatus& disposal = result_.disposal;
   inputs.charge_touched = disposal.touched;
   inputs.charge_disturbed = disposal.disturbed;

@@ -34,13 +34,17 @@ int MovableOf(std::span<const int> movable_of_object, int object) {
   return known ? movable_of_object[static_cast<size_t>(object)] : -1;
 }
 
+bool IsWithinWalls(const VesselSpec& vessel, const Eigen::Vector3d& p_V) {
+  if (vessel.inner_radius > 0) return std::hypot(p_V.x(), p_V.y()) < vessel.inner_radius;
+  return std::abs(p_V.x()) < vessel.half_size.x() && std::abs(p_V.y()) < vessel.half_size.y();
+}
+
 bool IsInside(const VesselSpec& vessel, const Eigen::Vector3d& p_M, double lowest_z,
               double net_sag) {
   const Eigen::Vector3d p_V = vessel.X_MV.inverse() * p_M;
   const double lowest = lowest_z - vessel.X_MV.translation().z();
   if (lowest >= vessel.rim_z || lowest < vessel.net_z - net_sag) return false;
-  if (vessel.inner_radius > 0) return std::hypot(p_V.x(), p_V.y()) < vessel.inner_radius;
-  return std::abs(p_V.x()) < vessel.half_size.x() && std::abs(p_V.y()) < vessel.half_size.y();
+  return IsWithinWalls(vessel, p_V);
 }
 
 }  // namespace eod::sim

@@ -26,6 +26,9 @@ std::vector<int> ChargesOf(const ModuleModel& module);
 /// `movable_of_object` is indexed by the world's numbers of objects, and may be shorter.
 int MovableOf(std::span<const int> movable_of_object, int object);
 
+/// Whether a point of the vessel's frame is within its walls, at whatever height.
+bool IsWithinWalls(const VesselSpec& vessel, const Eigen::Vector3d& p_V);
+
 /// Whether a charge with its middle and lowest point there is safe in the vessel: within its walls,
 /// below its rim, above its net. All in the module's frame.
 bool IsInside(const VesselSpec& vessel, const Eigen::Vector3d& p_M, double lowest_z,

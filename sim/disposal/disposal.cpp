@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "sim/disposal/charge.h"
+#include "sim/geometry/gravity.h"
 
 namespace eod::sim {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kGravity = 9.80665;  // [m/s^2]
 
 Vector3d DownIn(const Eigen::Isometry3d& X_MG) {
   return -X_MG.linear().transpose() * Vector3d::UnitZ();
@@ -48,7 +47,7 @@ void Disposal::Reset() {
   was_released_ = opening_ = too_heavy_ = false;
   fall_speed_ = 0;
   std::fill(touched_.begin(), touched_.end(), 0);
-  left_charge_ = right_charge_ = newly_held_ = -1;
+  left_charge_ = right_charge_ = pinched_ = newly_held_ = -1;
   judged_.reset();
   verdict_ = {};
   orders_ = {};
@@ -101,6 +100,7 @@ const MotionVerdict& Disposal::Judge(const BeforeMotion& step, Response& respons
   verdict_.let_through =
       push_.Update(*step.demand, step.segments, response, step.movable_of_object, step.dt_s);
   for (int motion = 0; motion < kMotionCount; ++motion) {
+    if (!Contains(verdict_.let_through, motion)) continue;
     verdict_.most[motion] = push_.RateOf(motion, step.demand->speed_range);
   }
   status_.grasp = JudgeHands(lines, closing);

@@ -32,6 +32,10 @@ Attitude AttitudeOnPlane(const Eigen::Vector3d& n_W, double heading) {
           .roll = std::asin(std::clamp(along_right, -1.0, 1.0))};
 }
 
+double TiltOf(const Attitude& attitude) {
+  return std::acos(std::clamp(std::cos(attitude.pitch) * std::cos(attitude.roll), -1.0, 1.0));
+}
+
 double WrapHeading(double angle) {
   constexpr double kTurn = 2 * std::numbers::pi;
   const double wrapped = angle - kTurn * std::floor(angle / kTurn);

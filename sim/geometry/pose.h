@@ -23,6 +23,9 @@ Attitude ToAttitude(const Eigen::Matrix3d& R_WB);
 /// Source: domain formulas p = atan2(-n.f, n.z), r = asin(n.s).
 Attitude AttitudeOnPlane(const Eigen::Vector3d& n_W, double heading);
 
+/// Angle between the up axis and the vertical [rad], 0 to pi.
+double TiltOf(const Attitude& attitude);
+
 /// Wraps into [0, 2 pi).
 double WrapHeading(double angle);
 

@@ -17,12 +17,12 @@ MotionDemand Drives::Follow(const MotionDemand& wanted, double dt_s, bool brakes
   moving.commanded = 0;
   for (int axis = 0; axis < kAxes; ++axis) {
     const int positive = positive_[axis], negative = positive ^ 1;
-    const double rated = RatedSpeed(robot_, positive, wanted.speed_range);
+    const double rated = Rated(axis, wanted.speed_range);
     const double acceleration = axis == 0   ? robot_.drive_acceleration
                                 : axis == 1 ? robot_.turn_acceleration
                                             : robot_.joints[axis - 2].acceleration;
     double& rate = rate_[axis];
-    rate *= RatedSpeed(robot_, positive, speed_range_) / rated;
+    rate *= Rated(axis, speed_range_) / rated;
     const double target = wanted.rate[positive] - wanted.rate[negative];
     const double most = acceleration * dt_s / rated;
     const bool slows = target * rate >= 0 && std::abs(target) < std::abs(rate);
@@ -34,6 +34,12 @@ MotionDemand Drives::Follow(const MotionDemand& wanted, double dt_s, bool brakes
   }
   speed_range_ = wanted.speed_range;
   return moving;
+}
+
+double Drives::Rated(int axis, int speed_range) const {
+  return axis == 0   ? robot_.drive_speed[speed_range]
+         : axis == 1 ? robot_.turn_rate
+                     : robot_.joints[axis - 2].rate;
 }
 
 void Drives::Halt(MotionSet motions) {

@@ -26,6 +26,8 @@ class Drives {
   void HaltAll() { rate_ = {}; }
 
  private:
+  double Rated(int axis, int speed_range) const;
+
   const RobotModel& robot_;
   std::array<int, kAxes> positive_{};  ///< motion that makes the axis' rate positive
   std::array<double, kAxes> rate_{};   ///< of the rated speed in speed_range_

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/geometry/gravity.h"
+
 namespace eod::sim {
 namespace {
 
@@ -10,21 +12,16 @@ using Eigen::Isometry3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kGravity = 9.80665;  // [m/s^2]
-constexpr double kLooksDown = 0.1;    // a point whose normal points up by more carries nothing
-constexpr double kStill = 1e-9;       // [m] less is rounding: a robot at rest keeps its bits
-constexpr double kTrembles = 5e-3;    // [m] whoever stays within that, unmoved, ...
-constexpr double kTrembles_s = 0.5;   // ... for so long, is at rest: an edge must not shake it
-constexpr double kCarries = 1e-9;     // share of the weight
-constexpr int kPuttingDown = 40;      // rounds; each halves what is left, and more
+constexpr double kLooksDown = 0.1;   // a point whose normal points up by more carries nothing
+constexpr double kStill = 1e-9;      // [m] less is rounding: a robot at rest keeps its bits
+constexpr double kTrembles = 5e-3;   // [m] whoever stays within that, unmoved, ...
+constexpr double kTrembles_s = 0.5;  // ... for so long, is at rest: an edge must not shake it
+constexpr double kCarries = 1e-9;    // share of the weight
+constexpr int kPuttingDown = 40;     // rounds; each halves what is left, and more
 
 int FlipperOf(const RobotModel& robot, const SupportPoint& point) {
   const int joint = robot.links[point.link].joint;
   return joint == kFrontFlipper ? 0 : joint == kRearFlipper ? 1 : -1;
-}
-
-double TiltOf(const Attitude& attitude) {
-  return std::acos(std::clamp(std::cos(attitude.pitch) * std::cos(attitude.roll), -1.0, 1.0));
 }
 
 /// Lays the robot on the plane that its own has to move by.

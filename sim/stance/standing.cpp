@@ -1,11 +1,8 @@
 #include "sim/stance/standing.h"
 
+#include "sim/geometry/gravity.h"
+
 namespace eod::sim {
-namespace {
-
-constexpr double kGravity = 9.80665;  // [m/s^2]
-
-}  // namespace
 
 RobotState StandOn(const GroundFix& ground, const RobotState& state, double dt_s) {
   const Footing last{.z = state.position.z(), .attitude = state.attitude};

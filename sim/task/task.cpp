@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/disposal/charge.h"
+
 namespace eod::sim {
 namespace {
 
@@ -24,10 +26,6 @@ bool IsStill(const TaskInputs& inputs) {
   return std::abs(inputs.speed) < kStillSpeed && std::abs(inputs.turn_rate) < kStillSpeed;
 }
 
-double TiltOf(const Attitude& attitude) {
-  return std::acos(std::clamp(ToRotation(attitude)(2, 2), -1.0, 1.0));
-}
-
 bool IsNear(const Eigen::Vector3d& p_M, const TaskStep& step) {
   return std::hypot(p_M.x() - step.x, p_M.y() - step.y) <= step.tolerance;
 }
@@ -35,8 +33,7 @@ bool IsNear(const Eigen::Vector3d& p_M, const TaskStep& step) {
 bool IsInside(const VesselSpec& vessel, const Eigen::Vector3d& p_M) {
   const Eigen::Vector3d p_V = vessel.X_MV.inverse() * p_M;
   if (p_V.z() < vessel.net_z || p_V.z() > vessel.rim_z) return false;
-  if (vessel.inner_radius > 0) return std::hypot(p_V.x(), p_V.y()) <= vessel.inner_radius;
-  return std::abs(p_V.x()) <= vessel.half_size.x() && std::abs(p_V.y()) <= vessel.half_size.y();
+  return IsWithinWalls(vessel, p_V);
 }
 
 bool IsInVessel(const VesselSpec& vessel, const TaskInputs& inputs) {

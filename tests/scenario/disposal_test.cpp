@@ -9,13 +9,16 @@ using namespace std::chrono_literals;
 
 const std::filesystem::path kPickUp = kData / "firmware_emu/scripts/bomb_ground.boxscript";
 
-/// At charge M, the gripper round it and open.
-std::string AroundChargeM() {
+std::string Open(double metres) {
+  return fmt::format("hold M17 until joint 7 >= {} within 4s\n", metres);
+}
+
+/// At charge M, the gripper round it and open; `last_m` is the last, creeping bit of the way.
+std::string AroundChargeM(double last_m = 0.238) {
   return PowerUp("bomb") +
-         "speed low\nhold preset ground_pick until joint 4 >= 108.6 within 20s\n"
-         "hold M17 until joint 7 >= 0.08 within 4s\n"
-         "hold M01 until travel >= 4.5 within 30s\nwait 500ms\nspeed creep\n"
-         "hold M01 until travel >= 0.238 within 30s\nwait 1s\n";
+         "speed low\nhold preset ground_pick until joint 4 >= 108.6 within 20s\n" + Open(0.08) +
+         "hold M01 until travel >= 4.5 within 30s\nwait 500ms\nspeed creep\n" +
+         fmt::format("hold M01 until travel >= {} within 30s\nwait 1s\n", last_m);
 }
 
 std::string TakeChargeM() {
@@ -25,8 +28,7 @@ std::string TakeChargeM() {
 
 TEST(Disposal, ChargeFromTheGroundEndsInTheCan) {
   Mission dut(box::LoadScript(kPickUp), ShippedScenario("bomb_ground_m"));
-  ASSERT_TRUE(dut.Run(300s));
-  EXPECT_EQ(dut.box().script_failure(), std::nullopt);
+  PlayScript(dut, 300s);
   const sim::StepResult& last = dut.rig().simulator().last();
   EXPECT_EQ(last.task.state, sim::MissionState::kSuccess);
   EXPECT_EQ(last.disposal.bomb, sim::BombState::kInCan);
@@ -46,8 +48,7 @@ TEST(Disposal, ChargeDroppedOnTheGroundGoesOff) {
                                "hold M17 for 1s\nwait bomb exploded within 3s\n"
                                "wait mission fail within 1s\nexpect failure exploded\n",
                            "bomb_ground_m");
-  ASSERT_TRUE(dut.Run(120s));
-  EXPECT_EQ(dut.box().script_failure(), std::nullopt);
+  PlayScript(dut, 120s);
   const sim::DisposalStatus& disposal = dut.rig().simulator().last().disposal;
   EXPECT_EQ(disposal.detonation, sim::DetonationCause::kDropped);
   EXPECT_TRUE(disposal.robot_destroyed);
@@ -62,8 +63,7 @@ TEST(Disposal, PushingOnAfterTheAlarmTopplesTheChargeWhichGoesOff) {
                                "wait alarm any within 1s\nwait bomb exploded within 30s\n"
                                "expect failure exploded\n",
                            "bomb_ground_m");
-  ASSERT_TRUE(dut.Run(120s));
-  EXPECT_EQ(dut.box().script_failure(), std::nullopt);
+  PlayScript(dut, 120s);
   EXPECT_EQ(dut.rig().simulator().last().disposal.detonation, sim::DetonationCause::kTipped);
 }
 
@@ -76,10 +76,6 @@ std::string MoveJoint(int joint, double target, std::string_view motion, bool do
       motion, joint, down ? "<=" : ">=", target + sign * 4, target + sign * 0.05);
 }
 
-std::string Open(double metres) {
-  return fmt::format("hold M17 until joint 7 >= {} within 4s\n", metres);
-}
-
 constexpr std::string_view kTakeAndLift =
     "wait 500ms\nhold M18 until grasp grasped within 6s\nwait 500ms\nhold M09 for 2s\n"
     "wait bomb carried within 1s\nexpect lamp grasp on\n";
@@ -90,8 +86,7 @@ TEST(Disposal, SmallChargeIsTakenFromTheTable) {
                                MoveJoint(4, 99.3, "M11", false) + MoveJoint(5, 26.4, "M14", true) +
                                Open(0.05) + DriveAhead(2.85) + std::string(kTakeAndLift),
                            "bomb_table_s");
-  ASSERT_TRUE(dut.Run(120s));
-  EXPECT_EQ(dut.box().script_failure(), std::nullopt);
+  PlayScript(dut, 120s);
 }
 
 TEST(Disposal, LargeChargeIsTakenUnderTheBench) {
@@ -101,22 +96,15 @@ TEST(Disposal, LargeChargeIsTakenUnderTheBench) {
                      MoveJoint(3, 7.0, "M10", true) + MoveJoint(5, 49.1, "M13", false) + Open(0.1) +
                      DriveAhead(2.70) + "wait 500ms\nhold M18 until grasp grasped within 8s\n",
                  "bomb_bench_l");
-  ASSERT_TRUE(dut.Run(120s));
-  EXPECT_EQ(dut.box().script_failure(), std::nullopt);
+  PlayScript(dut, 120s);
 }
 
 TEST(Disposal, ChargeSqueezedOffItsMiddleGoesOff) {
   // 38 mm short of the middle: the five lines never agree.
-  const std::string off_centre =
-      PowerUp("bomb") + "speed low\nhold preset ground_pick until joint 4 >= 108.6 within 20s\n" +
-      Open(0.08) +
-      "hold M01 until travel >= 4.5 within 30s\nwait 500ms\nspeed creep\n"
-      "hold M01 until travel >= 0.2 within 30s\nwait 1s\n";
-  Mission dut =
-      RunMission(off_centre + "press M18\nwait bomb exploded within 8s\nexpect failure exploded\n",
-                 "bomb_ground_m");
-  ASSERT_TRUE(dut.Run(120s));
-  EXPECT_EQ(dut.box().script_failure(), std::nullopt);
+  Mission dut = RunMission(
+      AroundChargeM(0.2) + "press M18\nwait bomb exploded within 8s\nexpect failure exploded\n",
+      "bomb_ground_m");
+  PlayScript(dut, 120s);
   EXPECT_EQ(dut.rig().simulator().last().disposal.detonation, sim::DetonationCause::kSqueezed);
 }
 
@@ -125,8 +113,7 @@ TEST(Disposal, ChargeCarriedIntoTheRimGoesOff) {
                                "hold preset carry until joint 3 >= 70.0 within 20s\nspeed low\n"
                                "press M01\nwait bomb exploded within 60s\n",
                            "bomb_ground_m");
-  ASSERT_TRUE(dut.Run(200s));
-  EXPECT_EQ(dut.box().script_failure(), std::nullopt);
+  PlayScript(dut, 200s);
   EXPECT_EQ(dut.rig().simulator().last().disposal.detonation, sim::DetonationCause::kRimStrike);
 }
 
@@ -136,14 +123,12 @@ TEST(Disposal, DisrupterFiresOnlyWithKeyCircuitAndBothHands) {
                             "circuit 1\nwait fire ready within 3s\n";
   Mission one_hand =
       RunMission(armed + "fire_left pressed\nwait 1s\nexpect not fire fired\n", "bomb_disrupt");
-  ASSERT_TRUE(one_hand.Run(60s));
-  EXPECT_EQ(one_hand.box().script_failure(), std::nullopt);
+  PlayScript(one_hand, 60s);
   Mission both = RunMission(armed +
                                 "fire_left pressed\nwait 100ms\nfire_right pressed\n"
                                 "wait fire fired within 2s\nwait lamp fired on within 1s\n",
                             "bomb_disrupt");
-  ASSERT_TRUE(both.Run(60s));
-  EXPECT_EQ(both.box().script_failure(), std::nullopt);
+  PlayScript(both, 60s);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "tests/scenario/mission.h"
 
@@ -37,6 +38,12 @@ inline std::string DriveAhead(double metres) {
   }
   return text +
          fmt::format("speed creep\nhold M01 until travel >= {} within 60s\nwait 500ms\n", metres);
+}
+
+/// The script comes to its end within `limit`, and finds all that it expects.
+inline void PlayScript(Mission& mission, Duration limit) {
+  ASSERT_TRUE(mission.Run(limit));
+  EXPECT_EQ(mission.box().script_failure(), std::nullopt);
 }
 
 inline Mission RunMission(const std::string& text, const std::string& scenario) {

@@ -1,4 +1,3 @@
-#include <memory>
 
 #include <gtest/gtest.h>
 
@@ -6,31 +5,17 @@
 #include "sim/camera/jpeg_encoder.h"
 #include "sim/plume/explosion.h"
 #include "sim/rules/rules.h"
-#include "tests/unit/camera/fixture_scene.h"
-#include "tests/unit/camera/offline_camera.h"
+#include "tests/unit/camera/fixture_camera.h"
 #include "tests/unit/camera/picture_statistics.h"
 
 namespace eod::sim {
 namespace {
 
-constexpr int kWidth = 320;
-constexpr int kHeight = 240;
 constexpr Region kWhole{0, 0, kWidth, kHeight};
 constexpr Region kCentre{150, 110, 170, 130};
 
-class ExplosionPictures : public ::testing::Test {
+class ExplosionPictures : public FixtureCamera {
  protected:
-  static void SetUpTestSuite() {
-    robot_ = std::make_unique<RobotModel>(FixtureRobot());
-    world_ = std::make_unique<WorldModel>(FixtureWorld());
-    dut_ = std::make_unique<OfflineCamera>(*robot_, *world_, kWidth, kHeight);
-  }
-  static void TearDownTestSuite() {
-    dut_.reset();
-    world_.reset();
-    robot_.reset();
-  }
-
   /// Facing west on the meadow.
   static SceneSnapshot OnTheMeadow() {
     SceneSnapshot snapshot;
@@ -50,10 +35,6 @@ class ExplosionPictures : public ::testing::Test {
   static RegionStatistics LookAt(const SceneSnapshot& snapshot, const Region& region) {
     return Look(dut_->Take(snapshot, "drive"), kWidth, kHeight, region);
   }
-
-  static inline std::unique_ptr<RobotModel> robot_;
-  static inline std::unique_ptr<WorldModel> world_;
-  static inline std::unique_ptr<OfflineCamera> dut_;
 };
 
 TEST_F(ExplosionPictures, FlameAddsItsLightAndSmokeHidesWhatIsBehind) {

@@ -1,14 +1,12 @@
 #include "sim/camera/scene_renderer.h"
 
-#include <memory>
 #include <numbers>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "sim/camera/isector_overlay.h"
-#include "tests/unit/camera/fixture_scene.h"
-#include "tests/unit/camera/offline_camera.h"
+#include "tests/unit/camera/fixture_camera.h"
 #include "tests/unit/camera/picture_statistics.h"
 
 namespace eod::sim {
@@ -21,28 +19,13 @@ using ::testing::HasSubstr;
 using ::testing::Property;
 using ::testing::ThrowsMessage;
 
-constexpr int kWidth = 320;
-constexpr int kHeight = 240;
 constexpr Region kTop{0, 0, kWidth, 40};
 constexpr Region kBottom{0, 200, kWidth, kHeight};
 constexpr Region kCentre{120, 90, 200, 120};
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// The fixture's world and robot, rendered small. Painting the textures takes most of the time, so
-/// tests that leave the world as it is share one renderer.
-class SceneRendererTest : public ::testing::Test {
+class SceneRendererTest : public FixtureCamera {
  protected:
-  static void SetUpTestSuite() {
-    robot_ = std::make_unique<RobotModel>(FixtureRobot());
-    world_ = std::make_unique<WorldModel>(FixtureWorld());
-    dut_ = std::make_unique<OfflineCamera>(*robot_, *world_, kWidth, kHeight);
-  }
-  static void TearDownTestSuite() {
-    dut_.reset();
-    world_.reset();
-    robot_.reset();
-  }
-
   static std::vector<uint8_t> Take(const SceneSnapshot& snapshot,
                                    const std::string& camera = "drive") {
     return dut_->Take(snapshot, camera);
@@ -63,10 +46,6 @@ class SceneRendererTest : public ::testing::Test {
   static RegionStatistics LookAt(const std::vector<uint8_t>& picture, const Region& region) {
     return Look(picture, kWidth, kHeight, region);
   }
-
-  static inline std::unique_ptr<RobotModel> robot_;
-  static inline std::unique_ptr<WorldModel> world_;
-  static inline std::unique_ptr<OfflineCamera> dut_;
 };
 
 TEST_F(SceneRendererTest, DrawsTheSameSnapshotToTheSameBytes) {
