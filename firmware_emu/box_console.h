@@ -31,7 +31,9 @@ class BoxConsole {
   Options options_;
   std::optional<Terminal> terminal_;
   KeyParser keys_;
-  TimePoint last_key_{};
+  TimePoint last_typed_{};
+  Key last_key_;
+  TimePoint last_press_{};
   TimePoint next_picture_{};
   bool has_quit_ = false;
 };

@@ -25,10 +25,6 @@ bool IsSameAtAGlance(const panel_status_t& a, const panel_status_t& b) {
          a.script_line == b.script_line && a.script_done == b.script_done;
 }
 
-dbc::BoxCodec LoadCodec(const BoxNodeConfig& config) {
-  return {dbc::LoadDatabase(config.dbc_file), dbc::LoadControlMap(config.map_file)};
-}
-
 }  // namespace
 
 BoxNode::BoxNode(const BoxNodeConfig& config, CanBus& bus, lcm::LCM& lcm, const Clock& clock)
@@ -36,7 +32,8 @@ BoxNode::BoxNode(const BoxNodeConfig& config, CanBus& bus, lcm::LCM& lcm, const 
       bus_(bus),
       lcm_(lcm),
       clock_(clock),
-      box_(LoadCodec(config), config.box),
+      map_(dbc::LoadControlMap(config.map_file)),
+      box_(dbc::BoxCodec(dbc::LoadDatabase(config.dbc_file), map_), config.box),
       status_channel_(ChannelName(config.channel_prefix, kPanelStatusChannel)) {
   if (config_.script) runner_.emplace(*config_.script);
   subscription_ = lcm_.subscribe(ChannelName(config_.channel_prefix, kPanelCommandChannel),
@@ -47,6 +44,11 @@ BoxNode::~BoxNode() { lcm_.unsubscribe(subscription_); }
 
 std::optional<std::string> BoxNode::script_failure() const {
   return runner_ ? runner_->failure() : std::nullopt;
+}
+
+std::string_view BoxNode::alarm_name(int code) const {
+  const dbc::AlarmMap* alarm = map_.FindAlarm(code);
+  return alarm == nullptr ? std::string_view() : alarm->name;
 }
 
 void BoxNode::OnCan() {

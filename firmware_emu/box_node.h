@@ -49,6 +49,8 @@ class BoxNode {
 
   const PanelStatus& status() const { return box_.status(); }
   OperatorHands& hands() { return hands_; }
+  /// What the map calls the alarm of that code; empty if it knows none.
+  std::string_view alarm_name(int code) const;
   /// Panel commands' actions that could not be understood.
   uint64_t bad_actions() const { return bad_actions_; }
 
@@ -64,6 +66,7 @@ class BoxNode {
   CanBus& bus_;
   lcm::LCM& lcm_;
   const Clock& clock_;
+  dbc::ControlMap map_;
   ControlBox box_;
   OperatorHands hands_;
   std::optional<ScriptRunner> runner_;

@@ -132,9 +132,9 @@ std::optional<PanelAction> ActionOf(char character, const PanelInputs& inputs) {
 }
 
 // Keys that hold something down as long as they repeat.
-bool HoldByKey(const Key& key, TimePoint now, OperatorHands& hands) {
+bool HoldByKey(const Key& key, TimePoint now, OperatorHands& hands, Duration hold) {
   if (const std::optional<int> motion = MotionOf(key)) {
-    hands.HoldMotionUntil(*motion, now + kKeyHoldTime);
+    hands.HoldMotionUntil(*motion, now + hold);
     return true;
   }
   if (key == Character('L') || key == Character('R')) {
@@ -144,7 +144,7 @@ bool HoldByKey(const Key& key, TimePoint now, OperatorHands& hands) {
   }
   for (const PresetKey& entry : kPresetKeys) {
     if (key != Character(entry.character)) continue;
-    hands.HoldPresetUntil(entry.preset, now + kKeyHoldTime);
+    hands.HoldPresetUntil(entry.preset, now + hold);
     return true;
   }
   return false;
@@ -152,8 +152,8 @@ bool HoldByKey(const Key& key, TimePoint now, OperatorHands& hands) {
 
 }  // namespace
 
-KeyOutcome PressKey(const Key& key, TimePoint now, OperatorHands& hands) {
-  if (HoldByKey(key, now, hands)) return KeyOutcome::kDone;
+KeyOutcome PressKey(const Key& key, TimePoint now, OperatorHands& hands, Duration hold) {
+  if (HoldByKey(key, now, hands, hold)) return KeyOutcome::kDone;
   if (key == Character('Q')) return KeyOutcome::kQuit;
   if (key == Character('v')) {
     hands.SetLampTestUntil(now + kLampTestTime);

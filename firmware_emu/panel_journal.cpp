@@ -31,8 +31,18 @@ std::string BitsText(uint32_t mask, int bits, std::string_view separator, NameOf
 }  // namespace
 
 std::string MotionsText(uint32_t mask) {
-  return BitsText(mask, dbc::kMotionCount, " ",
-                  [](int bit) { return fmt::format("M{:02}", bit + 1); });
+  std::string text;
+  for (int first = 0; first < dbc::kMotionCount; ++first) {
+    int last = first;
+    while ((mask >> last & 1u) != 0) ++last;
+    if (last == first) continue;
+    const std::string_view separator = last - first > 2 ? "-" : " ";
+    if (!text.empty()) text += ' ';
+    text += fmt::format("M{:02}", first + 1);
+    if (last - first > 1) text += fmt::format("{}M{:02}", separator, last);
+    first = last;
+  }
+  return text.empty() ? "none" : text;
 }
 
 std::string PartsText(uint32_t mask) {

@@ -23,7 +23,7 @@ class PanelJournal {
 /// "collision fast, link on": lamps that are not off; "none" if all are.
 std::string LampsText(const PanelStatus& status);
 
-/// "M01 M02" for the motions of `mask`; "none" for an empty one.
+/// "M01 M05-M08" for the motions of `mask`, three or more in a row joined; "none" for an empty one.
 std::string MotionsText(uint32_t mask);
 
 /// "front left wheel, crossbeam" for the parts of `mask`; "none" for an empty one.

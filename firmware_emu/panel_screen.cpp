@@ -51,8 +51,10 @@ std::string Line(std::string_view text) {
   return fmt::format("{}{}", text.substr(0, kScreenWidth), kEndOfLine);
 }
 
-// The code as conditions of scripts have it.
-std::string AlarmText(int code) { return code == 0 ? "none" : fmt::format("{}", code); }
+// The code as conditions of scripts have it, and its name.
+std::string AlarmText(int code, std::string_view name) {
+  return code == 0 ? "none" : fmt::format("{} {}", code, name);
+}
 
 std::string LampRow(const PanelStatus& status, int first, int last) {
   std::string row = " ";
@@ -124,7 +126,7 @@ constexpr std::array<std::string_view, 9> kLegend{
     " r/f gripper roll    t/g gripper open/close   o/p pan left/right   i/k tilt",
     " Presets: S stow T travel G ground pick C carry D can drop  U/J stair up, down",
     " Fire: A arm key   N next circuit   L left, R right: each stays down for 1 s",
-    " A key holds its motion or preset for 0.3 s after its last repeat: keep it down.",
+    " Tap a key for 0.3 s of its motion or preset; to go on, keep it down.",
 };
 static_assert(std::ranges::all_of(kLegend, [](std::string_view text) {
   return text.size() <= kScreenWidth;
@@ -132,7 +134,8 @@ static_assert(std::ranges::all_of(kLegend, [](std::string_view text) {
 
 }  // namespace
 
-std::string DrawPanel(const PanelStatus& status, const PanelInputs& inputs) {
+std::string DrawPanel(const PanelStatus& status, const PanelInputs& inputs,
+                      std::string_view alarm) {
   const dbc::RobotFeedback& robot = status.feedback;
   const std::string_view buzzer = WordOf(words::kBuzzer, status.buzzer);
   std::string screen(kHome);
@@ -141,9 +144,9 @@ std::string DrawPanel(const PanelStatus& status, const PanelInputs& inputs) {
                              WordOf(words::kRobotState, robot.state),
                              status.link_up ? "up" : "DOWN", status.rx));
   screen += LampRow(status, 0, 7) + LampRow(status, 7, dbc::kLampCount);
-  screen += Line(fmt::format(" Buzzer {:<11} {:<12} Alarm {:<5} Battery {:3.0f} %", buzzer,
-                             status.is_sounding ? "((( o )))" : "    o",
-                             AlarmText(robot.alarm_code), robot.battery_soc * 100));
+  screen += Line(fmt::format(" Buzzer {:<11} {:<11} Battery {:3.0f} %  Alarm {}", buzzer,
+                             status.is_sounding ? "((( o )))" : "    o", robot.battery_soc * 100,
+                             AlarmText(robot.alarm_code, alarm)));
   screen +=
       Line(fmt::format(" Speed {:6.2f} m/s   heading {:6.1f}   pitch {:5.1f}   roll {:5.1f} deg",
                        robot.speed_mps, robot.heading_deg, robot.pitch_deg, robot.roll_deg));
@@ -153,7 +156,10 @@ std::string DrawPanel(const PanelStatus& status, const PanelInputs& inputs) {
       robot.inhibit_reason == dbc::InhibitReason::kNone
           ? ""
           : fmt::format(" ({})", WordOf(words::kInhibitReason, robot.inhibit_reason));
-  screen += Line(fmt::format(" Inhibited {}{}", MotionsText(robot.inhibit_mask), reason));
+  constexpr std::string_view kInhibited = " Inhibited ";
+  const size_t room = kScreenWidth - kInhibited.size() - reason.size();
+  screen +=
+      Line(fmt::format("{}{:.{}}{}", kInhibited, MotionsText(robot.inhibit_mask), room, reason));
   screen += Line(fmt::format(" Contact   {}", PartsText(robot.hit_parts)));
   screen += ControlRows(inputs);
   for (const std::string_view text : kLegend) screen += Line(text);

@@ -66,6 +66,6 @@ inline constexpr std::array<Word, 12> kPart{"front left wheel",
                                             "big arm",
                                             "small arm",
                                             "mast",
-                                            "held bomb"};
+                                            "charge"};
 
 }  // namespace eod::box::words

@@ -184,7 +184,8 @@ void SceneRenderer::DrawShadow() {
 
 DrawCounters SceneRenderer::Draw(const CameraSpec& camera, const RenderTarget& target) {
   const Lens lens{.horizontal_fov = camera.horizontal_fov,
-                  .aspect = static_cast<double>(target.width()) / target.height()};
+                  .aspect = static_cast<double>(target.width()) / target.height(),
+                  .near = camera.near};
   const Eigen::Isometry3d X_MC =
       X_ML_.at(static_cast<size_t>(camera.link)) * camera.X_LC * ShakeOf(snapshot_.effects);
   counters_ = shadow_counters_;

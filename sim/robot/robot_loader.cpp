@@ -21,10 +21,15 @@ CameraSpec ToCameraSpec(const SdfCamera& camera, int link, const std::filesystem
            fmt::format("camera {}: {} x {} pixels, allowed 16..4096", camera.name, camera.width,
                        camera.height));
   }
+  if (camera.near < 0.005 || camera.near > 1) {
+    FailAt(file, camera.line,
+           fmt::format("camera {}: near {} m, allowed 0.005..1", camera.name, camera.near));
+  }
   return {.name = camera.name,
           .link = link,
           .X_LC = ForwardAlongY(camera.X_LS),
           .horizontal_fov = camera.horizontal_fov,
+          .near = camera.near,
           .width = camera.width,
           .height = camera.height};
 }

@@ -132,6 +132,7 @@ struct CameraSpec {
   int link = 0;
   Eigen::Isometry3d X_LC = Eigen::Isometry3d::Identity();
   double horizontal_fov = 1.3;  ///< [rad]
+  double near = 0.06;           ///< [m] what is nearer is not seen
   int width = 640;
   int height = 480;
 };

@@ -38,6 +38,7 @@ struct SdfCamera {
   int line = 0;
   Eigen::Isometry3d X_LS = Eigen::Isometry3d::Identity();
   double horizontal_fov = 0;  ///< [rad]
+  double near = 0;            ///< [m] what is nearer is not seen
   int width = 0;
   int height = 0;
 };

@@ -87,6 +87,7 @@ SdfCamera ToCamera(const sdf::Sensor& sensor, const std::filesystem::path& file)
           .line = LineOf(sensor.Element()),
           .X_LS = Resolve(sensor.SemanticPose(), "", sensor.Element(), file),
           .horizontal_fov = camera->HorizontalFov().Radian(),
+          .near = camera->NearClip(),
           .width = static_cast<int>(camera->ImageWidth()),
           .height = static_cast<int>(camera->ImageHeight())};
 }

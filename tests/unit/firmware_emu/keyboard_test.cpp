@@ -73,6 +73,16 @@ TEST(Keyboard, AMotionKeyHoldsItsMotionFor300MillisecondsAfterTheLastRepeat) {
   EXPECT_FALSE(hands.inputs().controls.motion[0]);
 }
 
+TEST(Keyboard, AKeyThatRepeatsEndsItsMotionSoonAfterItIsLetGo) {
+  OperatorHands hands;
+  PressKey({.kind = Kind::kUp}, At(seconds(0)), hands);
+  PressKey({.kind = Kind::kUp}, At(milliseconds(500)), hands, kRepeatHoldTime);
+  hands.Tick(At(milliseconds(649)));
+  EXPECT_TRUE(hands.inputs().controls.motion[0]);
+  hands.Tick(At(milliseconds(650)));
+  EXPECT_FALSE(hands.inputs().controls.motion[0]);
+}
+
 TEST(Keyboard, ReachesAll22Motions) {
   OperatorHands hands;
   for (const Kind kind : {Kind::kUp, Kind::kDown, Kind::kLeft, Kind::kRight}) {

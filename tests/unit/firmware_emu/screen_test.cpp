@@ -41,7 +41,9 @@ TEST(Screen, FitsInto80By24WithEverythingShown) {
   status.buzzer = dbc::BuzzerPattern::kContinuous;
   status.is_sounding = true;
   status.feedback.alarm_code = 255;
-  const std::string screen = DrawPanel(status, {});
+  const std::string screen = DrawPanel(status, {}, "push_after_alarm");
+  EXPECT_NE(screen.find("Alarm 255 push_after_alarm\x1b"), std::string::npos) << "name uncut";
+  EXPECT_NE(screen.find("Inhibited M01-M22 (neutral_needed)\x1b"), std::string::npos) << "reason";
   EXPECT_NE(screen.find("tilt -179.99\x1b"), std::string::npos) << "joints uncut";
   const std::vector<size_t> widths = LineWidths(screen);
   EXPECT_LE(widths.size(), static_cast<size_t>(kScreenHeight));
@@ -122,6 +124,32 @@ TEST(Screen, ShowsLitLampsInColourAndInhibitedMotions) {
   EXPECT_EQ(DrawPanel(PanelStatus{}, {}).find("Inhibited none ("), std::string::npos);
   status.lit[static_cast<size_t>(dbc::Lamp::kCollision)] = true;
   EXPECT_NE(DrawPanel(status, {}).find("\x1b[97;41mcollision \x1b[0m"), std::string::npos);
+}
+
+TEST(Screen, NamesTheAlarmBesideItsCode) {
+  PanelStatus status;
+  status.feedback.alarm_code = 64;
+  EXPECT_NE(DrawPanel(status, {}, "bomb_touched").find("Alarm 64 bomb_touched\x1b"),
+            std::string::npos);
+  EXPECT_NE(DrawPanel(PanelStatus{}, {}).find("Alarm none\x1b"), std::string::npos);
+}
+
+TEST(Screen, KeepsTheReasonInSightHoweverManyMotionsAreInhibited) {
+  PanelStatus status;
+  status.feedback.inhibit_reason = dbc::InhibitReason::kNeutralNeeded;
+  for (uint32_t mask : {0x3FFFFFu, 0x155555u, 0x1B6DB6u, 0x2EEEEEu}) {
+    status.feedback.inhibit_mask = mask;
+    EXPECT_NE(DrawPanel(status, {}).find("(neutral_needed)\x1b"), std::string::npos)
+        << MotionsText(mask);
+  }
+}
+
+TEST(Journal, JoinsThreeOrMoreMotionsInARow) {
+  EXPECT_EQ(MotionsText(0), "none");
+  EXPECT_EQ(MotionsText(0b11), "M01 M02");
+  EXPECT_EQ(MotionsText(0b1110101), "M01 M03 M05-M07");
+  EXPECT_EQ(MotionsText(0x3FFFFF), "M01-M22");
+  EXPECT_EQ(MotionsText(1u << 21 | 1u << 20), "M21 M22");
 }
 
 TEST(Journal, TellsEachChangeOnce) {
