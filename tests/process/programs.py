@@ -74,7 +74,7 @@ class Chain:
 
     def start(self, name):
         bus = () if name == "eod-sim" else ("--bus", self.bus)
-        program = Program(name, *bus, *self.arguments[name], *self.extra.get(name, ()),
+        program = Program(name, *bus, *self.arguments.get(name, ()), *self.extra.get(name, ()),
                           folder=self.folder.name)
         self.programs[name] = program
         program.wait_for("ready")
