@@ -18,7 +18,7 @@ struct Channel {
 
 /// The one table of channels.
 inline constexpr Channel kBoxCommandChannel{"EOD_BOX_COMMAND", "box_command_t", "canbridge",
-                                            "sim, recorder", "on change, and every 20 ms"};
+                                            "sim, recorder, console", "on change, and every 20 ms"};
 inline constexpr Channel kRobotStateChannel{"EOD_ROBOT_STATE", "robot_state_t", "sim",
                                             "canbridge, recorder", "every step"};
 inline constexpr Channel kAlarmChannel{"EOD_ALARM", "alarm_t", "sim, canbridge",
@@ -28,16 +28,16 @@ inline constexpr Channel kIsectorHitsChannel{"EOD_ISECTOR_HITS", "isector_hits_t
 inline constexpr Channel kLinkStatusChannel{"EOD_LINK_STATUS", "link_status_t", "canbridge",
                                             "recorder", "on change, and every 100 ms"};
 inline constexpr Channel kMissionStatusChannel{"EOD_MISSION_STATUS", "mission_status_t", "sim",
-                                               "canbridge, recorder",
+                                               "canbridge, recorder, console",
                                                "on change, and every 200 ms"};
-inline constexpr Channel kDriveCameraChannel{"EOD_CAMERA_DRIVE", "image_t", "sim", "recorder",
-                                             "25 to 30 Hz"};
-inline constexpr Channel kMastCameraChannel{"EOD_CAMERA_MAST", "image_t", "sim", "recorder",
-                                            "25 to 30 Hz"};
-inline constexpr Channel kGripperCameraChannel{"EOD_CAMERA_GRIPPER", "image_t", "sim", "recorder",
-                                               "25 to 30 Hz while chosen"};
-inline constexpr Channel kRearCameraChannel{"EOD_CAMERA_REAR", "image_t", "sim", "recorder",
-                                            "25 to 30 Hz while chosen"};
+inline constexpr Channel kDriveCameraChannel{"EOD_CAMERA_DRIVE", "image_t", "sim",
+                                             "recorder, console", "25 to 30 Hz"};
+inline constexpr Channel kMastCameraChannel{"EOD_CAMERA_MAST", "image_t", "sim",
+                                            "recorder, console", "25 to 30 Hz"};
+inline constexpr Channel kGripperCameraChannel{"EOD_CAMERA_GRIPPER", "image_t", "sim",
+                                               "recorder, console", "25 to 30 Hz while chosen"};
+inline constexpr Channel kRearCameraChannel{"EOD_CAMERA_REAR", "image_t", "sim",
+                                            "recorder, console", "25 to 30 Hz while chosen"};
 inline constexpr Channel kPanelCommandChannel{"EOD_PANEL_COMMAND", "panel_command_t",
                                               "any panel or test", "firmware_emu", "on change"};
 inline constexpr Channel kPanelStatusChannel{"EOD_PANEL_STATUS", "panel_status_t", "firmware_emu",

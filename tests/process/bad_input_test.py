@@ -49,7 +49,7 @@ class BadInput(unittest.TestCase):
         return path, text[:text.index(old)].count("\n") + 1
 
     def test_unknown_option_prints_the_usage(self):
-        for program in ("eod-box", "eod-canbridge", "eod-sim", "eod-recorder"):
+        for program in ("eod-box", "eod-canbridge", "eod-sim", "eod-recorder", "eod-console"):
             with self.subTest(program=program):
                 self.refuse(2, "--warp", program, "--warp", "9")
 

@@ -73,7 +73,7 @@ class Chain:
         self.folder = tempfile.TemporaryDirectory()
 
     def start(self, name):
-        bus = () if name == "eod-sim" else ("--bus", self.bus)
+        bus = () if name in ("eod-sim", "eod-console") else ("--bus", self.bus)
         program = Program(name, *bus, *self.arguments.get(name, ()), *self.extra.get(name, ()),
                           folder=self.folder.name)
         self.programs[name] = program
