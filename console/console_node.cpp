@@ -26,6 +26,7 @@ constexpr std::array<Feed, 4> kFeeds{{{kDriveCameraChannel, "drive"},
 
 ConsoleNode::ConsoleNode(const ConsoleConfig& config, lcm::LCM& lcm)
     : config_(config), lcm_(lcm), server_(config.address, config.port, OperatorPage()) {
+  server_.Tell("step", StepText(false, 0, 0, ""));
   subscriptions_.push_back(lcm_.subscribe(ChannelName(config.channel_prefix, kBoxCommandChannel),
                                           &ConsoleNode::OnCommand, this));
   subscriptions_.push_back(lcm_.subscribe(ChannelName(config.channel_prefix, kMissionStatusChannel),
