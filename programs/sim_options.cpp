@@ -50,6 +50,13 @@ void AddIsectorOptions(CLI::App& app, SimOptions& options) {
                  "isectors: those of the source paper, or also guards for what it left open")
       ->transform(CLI::CheckedTransformer(kCoverage))
       ->option_text("paper|extended");
+  static const std::map<std::string, GraspMode> kGrasp{{"paper", GraspMode::kPaper},
+                                                       {"guarded", GraspMode::kGuarded}};
+  app.add_option("--grasp", options.node.simulator.grasp,
+                 "what takes a charge: the source paper's five lines, or also guards against a bad "
+                 "grip")
+      ->transform(CLI::CheckedTransformer(kGrasp))
+      ->option_text("paper|guarded");
   IsectorRules& rules = options.node.simulator.rules;
   app.add_flag_callback(
       "--no-module-masks", [&rules] { rules.module_masks = false; },
@@ -116,10 +123,13 @@ namespace {
 
 std::string DescribeIsectors(const SimulatorConfig& config) {
   const auto is = [](bool on) { return on ? "on" : "off"; };
-  return fmt::format("isectors         {}; module masks {}, dynamic loading {}, {}\n",
-                     config.coverage == Coverage::kPaper ? "paper" : "extended",
-                     is(config.rules.module_masks), is(config.rules.dynamic_loading),
-                     config.rules.distance_factor ? "distance by Eq. 2" : "fixed distance D0");
+  return fmt::format(
+      "isectors         {}; module masks {}, dynamic loading {}, {}\n"
+      "grasp            {}\n",
+      config.coverage == Coverage::kPaper ? "paper" : "extended", is(config.rules.module_masks),
+      is(config.rules.dynamic_loading),
+      config.rules.distance_factor ? "distance by Eq. 2" : "fixed distance D0",
+      config.grasp == GraspMode::kPaper ? "paper" : "guarded");
 }
 
 }  // namespace

@@ -38,5 +38,12 @@ TEST(SimOptions, EachIsectorRuleCanBeLeftOut) {
   EXPECT_THAT(Describe(fixed), HasSubstr("dynamic loading on, fixed distance D0\n"));
 }
 
+TEST(SimOptions, GraspIsGuardedUnlessThePapersIsAskedFor) {
+  EXPECT_EQ(Parse("").node.simulator.grasp, GraspMode::kGuarded);
+  EXPECT_THAT(Describe(Parse("")), HasSubstr("grasp            guarded\n"));
+  EXPECT_EQ(Parse("--grasp paper").node.simulator.grasp, GraspMode::kPaper);
+  EXPECT_THAT(Describe(Parse("--grasp paper")), HasSubstr("grasp            paper\n"));
+}
+
 }  // namespace
 }  // namespace eod::sim
