@@ -11,7 +11,7 @@
 #include "eod/mission_status_t.hpp"
 
 #include "console/console_config.h"
-#include "platform/picture_server.h"
+#include "console/picture_server.h"
 #include "platform/time.h"
 
 namespace eod::console {

@@ -80,6 +80,7 @@ PRIVILEGES = (
     Privilege("only platform touches sockets, poll and signals", r"platform/|tests/",
               headers=r"(sys/(socket|un|epoll|select|poll|timerfd|signalfd)|poll|netdb|netinet/.*|"
                       r"arpa/.*|net/if|linux/(can|net|if).*|signal)(\.h)?$|csignal$"),
+    Privilege("only console speaks HTTP", r"console/|tests/", headers=r"boost/(asio|beast)[/.]"),
     Privilege("only platform reads clocks and sleeps", r"platform/|tests/",
               code=r"\b(clock_gettime|gettimeofday|steady_clock|system_clock|high_resolution_clock|"
                    r"nanosleep|usleep|sleep_for|sleep_until|time\s*\(\s*(nullptr|NULL|0)\s*\))"),

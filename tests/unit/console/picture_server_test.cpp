@@ -1,5 +1,5 @@
 // Pictures to browsers over a real socket of the loopback.
-#include "platform/picture_server.h"
+#include "console/picture_server.h"
 
 #include <stdexcept>
 #include <string>
@@ -8,9 +8,10 @@
 #include <gtest/gtest.h>
 #include <sys/socket.h>
 
+#include "platform/file_descriptor.h"
 #include "platform/multicast.h"
 
-namespace eod {
+namespace eod::console {
 namespace {
 
 class Browser {
@@ -148,4 +149,4 @@ TEST(PictureServer, SaysInOneLineWhyItCannotListen) {
 }
 
 }  // namespace
-}  // namespace eod
+}  // namespace eod::console
