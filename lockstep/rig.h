@@ -57,6 +57,8 @@ class LockStepRig {
 
   TimePoint now() const { return clock_.Now(); }
   const sim::Simulator& simulator() const { return sim_.simulator(); }
+  /// For a StepSink: what the step obeyed.
+  const sim::OperatorCommand& command() const { return sim_.command(); }
   const bridge::BridgeNode& bridge() const { return bridge_; }
   InprocCanHub& hub() { return hub_; }
   lcm::LCM& lcm() { return lcm_; }

@@ -54,6 +54,8 @@ class SimNode {
   Duration tick_period() const { return config_.simulator.period; }
 
   const Simulator& simulator() const { return simulator_; }
+  /// What the box asked for last; what the last step obeyed, until a message arrives.
+  const OperatorCommand& command() const { return command_; }
   /// Steps that were not done in their own period, but later or never.
   int64_t overruns() const { return state_message_.overruns; }
 
