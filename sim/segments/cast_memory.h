@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "sim/segments/level_ground.h"
 #include "sim/segments/segment.h"
 #include "sim/segments/surroundings.h"
 
@@ -20,6 +21,7 @@ struct CastMemory {
   CastCounters counters;
   std::vector<ListedHit> all;  ///< of the last cast, by query, then by range
   Surroundings surroundings;
+  LevelGround level;
 };
 
 }  // namespace eod::sim

@@ -128,6 +128,16 @@ bool MovableShapes::Remove(int object) {
   return true;
 }
 
+bool MovableShapes::IsNear(const AlignedBox3d& box, uint32_t class_mask) const {
+  for (size_t batch = 0; batch < placed_.size(); batch += kBatch) {
+    for (uint32_t near = bounds_.OverlappingBatch(batch, box); near != 0; near &= near - 1) {
+      const size_t one = batch + static_cast<size_t>(std::countr_zero(near));
+      if (Accepts(class_mask, placed_[one].class_mask)) return true;
+    }
+  }
+  return false;
+}
+
 void MovableShapes::Cast(std::span<const SegmentQuery> queries, std::span<SegmentHit> hits,
                          CastMemory& memory) const {
   const size_t listed = memory.all.size();

@@ -24,6 +24,9 @@ class MovableShapes {
   bool Hide(int object);
   bool Remove(int object);
 
+  /// Whether a shape that `class_mask` accepts may be within `box`.
+  bool IsNear(const Eigen::AlignedBox3d& box, uint32_t class_mask) const;
+
   size_t size() const { return placed_.size(); }
 
   /// Merges what `queries[i]` meets into `hits[i]`, as other casts have left it: there stays what

@@ -72,6 +72,13 @@ void TriangleEngine::Cast(std::span<const SegmentQuery> queries, std::span<Segme
   if (!memory.all.empty()) SortListed(memory);
 }
 
+std::optional<double> TriangleEngine::LevelGroundIn(const AlignedBox3d& box, uint32_t class_mask,
+                                                    CastMemory& memory) const {
+  LevelGround& level = memory.level;
+  if (!level.Covers(box, class_mask, revision_)) level.Survey(tree_, box, class_mask, revision_);
+  return level.z();
+}
+
 void TriangleEngine::CastAlone(const SegmentQuery& query, size_t index, SegmentHit& hit,
                                CastMemory& memory) const {
   hit = SegmentHit{};

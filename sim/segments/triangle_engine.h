@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "sim/segments/block_tree.h"
@@ -30,6 +31,10 @@ class TriangleEngine {
   /// Answers every query, lists all hits of kAll ones. Thread-safe, one `memory` a thread.
   void Cast(std::span<const SegmentQuery> queries, std::span<SegmentHit> hits,
             CastMemory& memory) const;
+
+  /// As World has it, for triangles alone.
+  std::optional<double> LevelGroundIn(const Eigen::AlignedBox3d& box, uint32_t class_mask,
+                                      CastMemory& memory) const;
 
   const BlockTree& tree() const { return tree_; }
 

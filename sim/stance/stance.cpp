@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "sim/geometry/gravity.h"
+#include "sim/segments/hit_choice.h"
 
 namespace eod::sim {
 namespace {
 
+using Eigen::AlignedBox3d;
 using Eigen::Isometry3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
@@ -46,6 +49,7 @@ Stance::Stance(const RobotModel& robot, uint32_t module_mask)
     if (point.link == 0) turning_radius_ = std::max(turning_radius_, point.p_L.head<2>().norm());
   }
   points_.reserve(most);
+  starts_.reserve(most);
   queries_.reserve(most);
   hits_.reserve(most);
   depths_.reserve(most);
@@ -130,22 +134,50 @@ RobotState Stance::StandWithin(const World& world, std::span<const Isometry3d> X
 void Stance::LookForGround(const World& world, std::span<const Isometry3d> X_ML) {
   const StanceSpec& stance = robot_.stance;
   points_.clear();
-  queries_.clear();
+  starts_.clear();
+  AlignedBox3d around;
   for (size_t i = 0; i < stance.points.size(); ++i) {
     const SupportPoint& point = stance.points[i];
     const Isometry3d& X_MP = X_ML[point.link];
     if (X_MP.linear().row(2).dot(point.n_L) > kLooksDown) continue;
     points_.push_back(static_cast<int>(i));
-    queries_.push_back({.start = X_MP * point.p_L + stance.reach_up * Vector3d::UnitZ(),
+    starts_.push_back(X_MP * point.p_L + stance.reach_up * Vector3d::UnitZ());
+    around.extend(starts_.back());
+  }
+  hits_.resize(starts_.size());
+  memory_.counters = {};
+  if (starts_.empty()) return;
+  around.min().z() -= stance.reach_up + stance.reach_down;
+  if (const std::optional<double> z = world.LevelGroundIn(around, class_mask_, memory_)) {
+    MeetLevelGround(*z);
+  } else {
+    CastLines(world);
+  }
+}
+
+void Stance::CastLines(const World& world) {
+  const StanceSpec& stance = robot_.stance;
+  queries_.clear();
+  for (size_t i = 0; i < starts_.size(); ++i) {
+    queries_.push_back({.start = starts_[i],
                         .direction = -Vector3d::UnitZ(),
                         .length = stance.reach_up + stance.reach_down,
                         .class_mask = class_mask_,
                         .hit_rule = HitRule::kHighest,
-                        .group = point.group});
+                        .group = stance.points[static_cast<size_t>(points_[i])].group});
   }
-  hits_.resize(queries_.size());
-  memory_.counters = {};
   world.Cast(queries_, hits_, memory_);
+}
+
+/// What casting the lines would find.
+void Stance::MeetLevelGround(double z) {
+  const double length = robot_.stance.reach_up + robot_.stance.reach_down;
+  for (size_t i = 0; i < starts_.size(); ++i) {
+    const std::optional<double> range = OnSegment(starts_[i].z() - z, length);
+    hits_[i].hit = range.has_value();
+    hits_[i].range = range.value_or(0);
+    hits_[i].normal = Vector3d::UnitZ();
+  }
 }
 
 /// How far each point has to rise, or may sink.
@@ -156,7 +188,7 @@ void Stance::SetProps(const RobotState& state, const Limits& limits) {
   flipper_gap_ = {stance.reach_down, stance.reach_down};
   for (size_t i = 0; i < points_.size(); ++i) {
     const double depth = hits_[i].hit ? stance.reach_up - hits_[i].range : -stance.reach_down;
-    const Vector3d p = queries_[i].start - state.position;
+    const Vector3d p = starts_[i] - state.position;
     depths_.push_back(depth);
     props_.push_back({p.x(), p.y(), std::clamp(depth, -limits.sink, limits.rise)});
     const int flipper = flipper_of_[points_[i]];

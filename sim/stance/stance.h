@@ -60,6 +60,8 @@ class Stance {
                          const RobotState& state, const Limits& limits, double dt_s,
                          const Load& load);
   void LookForGround(const World& world, std::span<const Eigen::Isometry3d> X_ML);
+  void CastLines(const World& world);
+  void MeetLevelGround(double z);
   void SetProps(const RobotState& state, const Limits& limits);
   bool Rest(const Eigen::Vector2d& centre, double sink);
   bool WarmStart(const Eigen::Vector2d& centre, std::array<int, 3>& triangle) const;
@@ -75,10 +77,11 @@ class Stance {
   std::vector<int> flipper_of_;  ///< of each point: 0 front, 1 rear, -1 none
   // Of the points that look down in this step:
   std::vector<int> points_;
-  std::vector<SegmentQuery> queries_;
-  std::vector<SegmentHit> hits_;
-  std::vector<double> depths_;  ///< [m] of the point in the ground; negative above it
-  std::vector<Prop> props_;     ///< the same within the limits, and one more for a robot that tips
+  std::vector<Eigen::Vector3d> starts_;  ///< of their lines
+  std::vector<SegmentQuery> queries_;    ///< on ground that is not level
+  std::vector<SegmentHit> hits_;         ///< hit, range and normal, on level ground no more
+  std::vector<double> depths_;           ///< [m] of the point in the ground; negative above it
+  std::vector<Prop> props_;  ///< the same within the limits, and one more for a robot that tips
   CastMemory memory_;
   RestingPlane plane_;
   std::array<int, 3> stood_on_ = {-1, -1, -1};  ///< points of the last plane

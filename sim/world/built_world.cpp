@@ -31,6 +31,12 @@ void BuiltWorld::Cast(std::span<const SegmentQuery> queries, std::span<SegmentHi
   if (shapes_.size() > 0) shapes_.Cast(queries, hits, memory);
 }
 
+std::optional<double> BuiltWorld::LevelGroundIn(const Eigen::AlignedBox3d& box, uint32_t class_mask,
+                                                CastMemory& memory) const {
+  if (shapes_.IsNear(box, class_mask)) return {};
+  return triangles_.LevelGroundIn(box, class_mask, memory);
+}
+
 const std::string& BuiltWorld::ObjectName(int object) const { return NameOf(names_, object); }
 
 int BuiltWorld::AddShape(std::string name, uint32_t class_mask, Shape shape,

@@ -23,6 +23,8 @@ class BuiltWorld final : public World {
 
   void Cast(std::span<const SegmentQuery> queries, std::span<SegmentHit> hits,
             CastMemory& memory) const override;
+  std::optional<double> LevelGroundIn(const Eigen::AlignedBox3d& box, uint32_t class_mask,
+                                      CastMemory& memory) const override;
   const std::string& ObjectName(int object) const override;
 
   /// Numbers of the module's movable objects: they follow its static ones.

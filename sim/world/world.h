@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -16,6 +17,15 @@ class World {
   /// `memory` a thread. No allocation once `memory` has grown.
   virtual void Cast(std::span<const SegmentQuery> queries, std::span<SegmentHit> hits,
                     CastMemory& memory) const = 0;
+  /// z [m] of the ground in `box` (module's local frame), where one level plane that looks up is
+  /// all that lines with `class_mask` can meet there, and reaches across all of it: a vertical line
+  /// within the box meets it at exactly that height, unless it ends before. Nothing: it is not so,
+  /// or not known.
+  virtual std::optional<double> LevelGroundIn(const Eigen::AlignedBox3d& box, uint32_t class_mask,
+                                              CastMemory& memory) const {
+    static_cast<void>(box), static_cast<void>(class_mask), static_cast<void>(memory);
+    return {};
+  }
   /// Name of an object, "" if out of range.
   virtual const std::string& ObjectName(int object) const = 0;
 };
