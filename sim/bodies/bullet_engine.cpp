@@ -1,5 +1,7 @@
 #include "sim/bodies/bullet_engine.h"
 
+#include <algorithm>
+
 namespace eod::sim {
 
 namespace {
@@ -95,13 +97,15 @@ void RigidBodies::Engine::Reset() {
 
 void RigidBodies::Engine::Step(double dt_s, std::span<const Isometry3d> X_ML) {
   dt_s_ = dt_s;
-  if (IsBusy(X_ML)) {
+  const bool is_busy = IsBusy(X_ML);
+  if (is_busy) {
     links_.Follow(X_ML);
     FollowGrips();
     space_.world.stepSimulation(dt_s, 0);
     ReadStates();
     ReadContacts();
   }
+  KeepGrips(is_busy);
   links_.Remember(X_ML);
 }
 
@@ -109,10 +113,28 @@ bool RigidBodies::Engine::IsGripMoving(size_t body) const {
   return grips_[body].X_in_step.matrix() != grips_[body].X_now.matrix();
 }
 
+/// Whether a held body may touch the ground or a free one on its way.
+bool RigidBodies::Engine::IsGripNear(size_t body) const {
+  const Vector3d reach = Vector3d::Constant(kNear);
+  AlignedBox3d way;
+  for (const Isometry3d& X_MO : {grips_[body].X_in_step, grips_[body].X_now}) {
+    btVector3 low, high;
+    bodies_[body].body().getCollisionShape()->getAabb(bodies_[body].ToBodyFrame(X_MO), low, high);
+    way.extend(Vector3d(FromBullet(low) - reach));
+    way.extend(Vector3d(FromBullet(high) + reach));
+  }
+  const auto is_near_body = [&](const AlignedBox3d& box) {
+    return !box.isEmpty() && way.intersects(box);
+  };
+  const auto is_near_ground = [&](const GroundMesh& ground) { return ground.IsNear(way); };
+  return std::any_of(boxes_.begin(), boxes_.end(), is_near_body) ||
+         std::any_of(ground_meshes_.begin(), ground_meshes_.end(), is_near_ground);
+}
+
 bool RigidBodies::Engine::IsBusy(std::span<const Isometry3d> X_ML) const {
   if (is_awake_) return true;
   for (size_t i = 0; i < states_.size(); ++i) {
-    if (states_[i].is_held && IsGripMoving(i)) return true;
+    if (states_[i].is_held && IsGripMoving(i) && IsGripNear(i)) return true;
   }
   return !links_.StandsAt(X_ML) && links_.IsNear(X_ML, boxes_, kNear);
 }
@@ -124,6 +146,16 @@ void RigidBodies::Engine::FollowGrips() {
     body.setWorldTransform(bodies_[i].ToBodyFrame(grips_[i].X_in_step));
     body.setInterpolationWorldTransform(
         bodies_[i].ToBodyFrame(PoseBefore(grips_[i].X_in_step, grips_[i].X_now)));
+  }
+}
+
+void RigidBodies::Engine::KeepGrips(bool was_busy) {
+  for (size_t i = 0; i < grips_.size(); ++i) {
+    if (IsGripMoving(i) && !was_busy) {
+      // It has left whatever it touched while it was near.
+      states_[i].touched_by = 0;
+      states_[i].touches_ground = false;
+    }
     grips_[i].X_in_step = grips_[i].X_now;
   }
 }

@@ -41,9 +41,11 @@ class RigidBodies::Engine {
   void TakeAllOut();
   bool IsFree(size_t body) const { return !states_[body].is_held && !states_[body].is_gone; }
   bool IsGripMoving(size_t body) const;
+  bool IsGripNear(size_t body) const;
   /// Whether anything moves, or may be moved by the robot.
   bool IsBusy(std::span<const Eigen::Isometry3d> X_ML) const;
   void FollowGrips();
+  void KeepGrips(bool was_busy);
   void ReadStates();
   void ReadState(size_t body);
   void ReadContacts();

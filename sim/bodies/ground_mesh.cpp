@@ -15,6 +15,13 @@ bool IsWall(const Triangle& corner) {
   return std::abs(n.z()) < n.head<2>().norm();
 }
 
+struct AnyTriangle final : btTriangleCallback {
+  bool found = false;
+  void processTriangle(btVector3* /*corners*/, int /*part*/, int /*index*/) override {
+    found = true;
+  }
+};
+
 }  // namespace
 
 GroundMesh::GroundMesh(std::span<const CollisionTriangle> triangles, Kind kind) {
@@ -29,6 +36,14 @@ GroundMesh::GroundMesh(std::span<const CollisionTriangle> triangles, Kind kind) 
   // Not quantised: boxes on a 16-bit grid of a module would be 2 mm too large.
   shape_ = std::make_unique<btBvhTriangleMeshShape>(&mesh_, false);
   shape_->setMargin(0);
+}
+
+bool GroundMesh::IsNear(const Eigen::AlignedBox3d& box) const {
+  if (shape_ == nullptr) return false;
+  AnyTriangle any;
+  shape_->processAllTriangles(&any, ToBullet(Eigen::Vector3d(box.min())),
+                              ToBullet(Eigen::Vector3d(box.max())));
+  return any.found;
 }
 
 }  // namespace eod::sim

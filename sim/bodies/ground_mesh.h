@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 
+#include <Eigen/Geometry>
 #include <btBulletDynamicsCommon.h>
 
 #include "sim/segments/block_tree.h"
@@ -22,6 +23,9 @@ class GroundMesh {
 
   /// nullptr without triangles.
   btCollisionShape* shape() { return shape_.get(); }
+
+  /// Whether a triangle may reach into `box`.
+  bool IsNear(const Eigen::AlignedBox3d& box) const;
 
  private:
   btTriangleMesh mesh_;
