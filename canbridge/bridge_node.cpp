@@ -147,6 +147,7 @@ void BridgeNode::Publish(TimePoint now, const BoxCommand& command) {
   message.buzzer_acknowledge = command.buzzer_acknowledge;
   message.alarm_reset = command.alarm_reset;
   lcm_.publish(command_channel_, &message);
+  ++published_;
 }
 
 void BridgeNode::Publish(TimePoint now, const LinkStatus& link) {
@@ -171,6 +172,7 @@ void BridgeNode::Publish(TimePoint now, const LinkStatus& link) {
   message.foreign_robot = link.foreign_robot;
   message.fault = link.fault;
   lcm_.publish(link_channel_, &message);
+  ++published_;
 }
 
 void BridgeNode::PublishAlarm(TimePoint now, const AlarmChange* change,
@@ -189,6 +191,7 @@ void BridgeNode::PublishAlarm(TimePoint now, const AlarmChange* change,
     message.active_parts.push_back(static_cast<int32_t>(alarm.parts));
   }
   lcm_.publish(alarm_channel_, &message);
+  ++published_;
 }
 
 }  // namespace eod::bridge

@@ -45,6 +45,8 @@ class BridgeNode {
   Duration tick_period() const { return config_.bridge.tick_period; }
 
   const Bridge& bridge() const { return bridge_; }
+  /// Messages sent on LCM so far.
+  uint64_t published() const { return published_; }
 
  private:
   void OnRobotState(const lcm::ReceiveBuffer* buffer, const std::string& channel,
@@ -72,6 +74,7 @@ class BridgeNode {
   std::string alarm_channel_;
   int32_t command_sequence_ = 0;
   int32_t alarm_sequence_ = 0;
+  uint64_t published_ = 0;
   bool was_silent_ = false;
 };
 

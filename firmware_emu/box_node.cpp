@@ -100,9 +100,10 @@ void BoxNode::TellChanges(TimePoint now) {
 
 void BoxNode::PublishStatus(TimePoint now) {
   const panel_status_t status = MakeStatus(now);
-  if (now < next_status_ && IsSameAtAGlance(status, published_)) return;
+  if (now < next_status_ && IsSameAtAGlance(status, last_status_)) return;
   lcm_.publish(status_channel_, &status);
-  published_ = status;
+  ++published_;
+  last_status_ = status;
   next_status_ = now + kStatusPeriod;
 }
 

@@ -53,6 +53,8 @@ class BoxNode {
   std::string_view alarm_name(int code) const;
   /// Panel commands' actions that could not be understood.
   uint64_t bad_actions() const { return bad_actions_; }
+  /// Messages sent on LCM so far.
+  uint64_t published() const { return published_; }
 
  private:
   void OnPanelCommand(const lcm::ReceiveBuffer* buffer, const std::string& channel,
@@ -73,10 +75,11 @@ class BoxNode {
   PanelJournal journal_;
   std::string status_channel_;
   lcm::Subscription* subscription_ = nullptr;
-  panel_status_t published_{};
+  panel_status_t last_status_{};
   TimePoint next_status_{};
   Duration max_late_{};
   uint64_t bad_actions_ = 0;
+  uint64_t published_ = 0;
   bool has_told_end_ = false;
 };
 

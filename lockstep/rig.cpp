@@ -24,12 +24,14 @@ LockStepRig::LockStepRig(const RigConfig& config, const sim::RobotModel& robot,
 }
 
 box::BoxNode& LockStepRig::AddBox(const box::BoxNodeConfig& config) {
+  UnplugBox();
   box_bus_ = hub_.Connect(clock_);
   box_ = std::make_unique<box::BoxNode>(config, *box_bus_, lcm_, clock_);
   return *box_;
 }
 
 void LockStepRig::UnplugBox() {
+  if (box_) published_before_ += box_->published();
   box_.reset();
   box_bus_.reset();
 }
@@ -51,9 +53,17 @@ void LockStepRig::Tick() {
   }
 }
 
+uint64_t LockStepRig::Published() const {
+  return bridge_.published() + sim_.published() + published_before_ +
+         (box_ ? box_->published() : 0);
+}
+
+/// Whether a message waits is a question to the kernel, so it is only asked if one can.
 void LockStepRig::DeliverMessages() {
+  if (delivered_ == Published()) return;
   while (lcm_.handleTimeout(0) > 0) {
   }
+  delivered_ = Published();
 }
 
 void LockStepRig::RunFor(Duration duration) {

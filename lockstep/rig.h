@@ -61,9 +61,9 @@ class LockStepRig {
   const sim::OperatorCommand& command() const { return sim_.command(); }
   const bridge::BridgeNode& bridge() const { return bridge_; }
   InprocCanHub& hub() { return hub_; }
-  lcm::LCM& lcm() { return lcm_; }
 
  private:
+  uint64_t Published() const;
   void DeliverMessages();
 
   RigConfig config_;
@@ -77,6 +77,8 @@ class LockStepRig {
   std::unique_ptr<box::BoxNode> box_;
   StepSink step_sink_;
   TimePoint step_due_;
+  uint64_t delivered_ = 0;         ///< of Published(): no other message waits
+  uint64_t published_before_ = 0;  ///< by boxes that are gone
 };
 
 inline constexpr Duration kTick = std::chrono::milliseconds(1);

@@ -182,11 +182,13 @@ void SimNode::Step(TimePoint scheduled) {
   const StepResult& result = simulator_.Step(scheduled, command_);
   Fill(simulator_, state_message_);
   lcm_.publish(state_channel_, &state_message_);
+  ++published_;
   PublishAlarms(result);
   PublishMission(result);
   if (config_.publish_isectors) {
     Fill(robot_, simulator_, isectors_message_);
     lcm_.publish(isectors_channel_, &isectors_message_);
+    ++published_;
   }
   if (scene_output_.show && scheduled >= scene_due_) ShowScene(result);
 }
@@ -219,6 +221,7 @@ void SimNode::PublishAlarm(TimePoint time) {
   }
   alarm_message_.num_active = static_cast<int16_t>(alarm_message_.active_code.size());
   lcm_.publish(alarm_channel_, &alarm_message_);
+  ++published_;
   alarms_due_ = time + config_.alarm_repeat;
 }
 
@@ -226,6 +229,7 @@ void SimNode::PublishMission(const StepResult& result) {
   if (!result.task_changed && result.time < mission_due_) return;
   Fill(simulator_, mission_message_);
   lcm_.publish(mission_channel_, &mission_message_);
+  ++published_;
   mission_due_ = result.time + config_.mission_repeat;
 }
 

@@ -56,6 +56,8 @@ class SimNode {
   const Simulator& simulator() const { return simulator_; }
   /// What the box asked for last; what the last step obeyed, until a message arrives.
   const OperatorCommand& command() const { return command_; }
+  /// Messages sent on LCM so far.
+  uint64_t published() const { return published_; }
   /// Steps that were not done in their own period, but later or never.
   int64_t overruns() const { return state_message_.overruns; }
 
@@ -79,6 +81,7 @@ class SimNode {
   OperatorCommand command_;
   SceneOutput scene_output_;
   SceneSnapshot snapshot_;
+  uint64_t published_ = 0;
   TimePoint stepped_{};  ///< moment of the last step
   TimePoint last_tick_{};
   TimePoint scene_due_{};
