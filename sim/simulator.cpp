@@ -225,6 +225,7 @@ bool Simulator::Move(const MotionDemand& wanted, const Inhibition& inhibition,
 }
 
 void Simulator::StandOnGround(const RobotState& before) {
+  const RobotState moved = result_.state;
   if (config_.coverage == Coverage::kExtended) {
     Stance& stance = place_->stance;
     result_.state =
@@ -236,7 +237,9 @@ void Simulator::StandOnGround(const RobotState& before) {
     result_.state = StandOn(place_->support.ground(), result_.state, dt_s_);
     result_.state.at_rest = result_.state.fall_speed == 0;
   }
-  LinkPoses(robot_, result_.state, link_poses_);
+  const bool lies_where_it_was =
+      result_.state.position == moved.position && result_.state.attitude == moved.attitude;
+  if (!lies_where_it_was) LinkPoses(robot_, result_.state, link_poses_);
 }
 
 /// Charges, gripper and disrupter, and then everything that moves by itself.

@@ -53,7 +53,10 @@ void Simulator::UpdateAlarms(MotionSet wished, const Inhibition& inhibition) {
 }
 
 void Simulator::UpdateTask(uint32_t contacts_before) {
-  const Ahead ahead = LookAhead(robot_, link_poses_, place_->isectors.segments());
+  // How far ahead things are is asked of a robot that stands.
+  const bool stands = StandsStill(result_.speed, result_.turn_rate);
+  const Ahead ahead =
+      stands ? LookAhead(robot_, link_poses_, place_->isectors.segments()) : Ahead{};
   const int first = response_.first_contact;
   TaskInputs inputs;
   inputs.dt_s = dt_s_;

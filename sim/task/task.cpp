@@ -22,9 +22,7 @@ int IndexOf(const std::vector<Named>& list, const std::string& name) {
   return found == list.end() ? -1 : static_cast<int>(found - list.begin());
 }
 
-bool IsStill(const TaskInputs& inputs) {
-  return std::abs(inputs.speed) < kStillSpeed && std::abs(inputs.turn_rate) < kStillSpeed;
-}
+bool IsStill(const TaskInputs& inputs) { return StandsStill(inputs.speed, inputs.turn_rate); }
 
 bool IsNear(const Eigen::Vector3d& p_M, const TaskStep& step) {
   return std::hypot(p_M.x() - step.x, p_M.y() - step.y) <= step.tolerance;
@@ -48,6 +46,10 @@ bool IsDisrupted(int movable, const DisposalStatus& disposal) {
 }
 
 }  // namespace
+
+bool StandsStill(double speed, double turn_rate) {
+  return std::abs(speed) < kStillSpeed && std::abs(turn_rate) < kStillSpeed;
+}
 
 Task::Task(const Scenario& scenario, const ModuleModel& module)
     : time_limit_s_(scenario.time_limit_s) {

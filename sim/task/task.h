@@ -38,6 +38,9 @@ struct TaskStatus {
   bool operator==(const TaskStatus&) const = default;
 };
 
+/// Whether a robot of that speed [m/s] and turn rate [rad/s] counts as standing.
+bool StandsStill(double speed, double turn_rate);
+
 /// What a task looks at in a step.
 struct TaskInputs {
   double dt_s = 0;
@@ -50,7 +53,8 @@ struct TaskInputs {
   bool in_contact = false;
   bool rolled_over = false;
   std::string_view contact_object;  ///< object of the first contact, "" if none
-  /// [m] from the foremost point of the robot to what is ahead; infinity if nothing
+  /// [m] from the foremost point of a robot that stands to what is ahead; infinity if nothing is,
+  /// or it moves
   double forward_clearance = 0;
   std::string_view forward_object;
   const DisposalStatus* disposal = nullptr;     ///< null: as if no charge was there
