@@ -54,9 +54,11 @@ Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Sce
     place_ = place.get();
     StandAtStart();
     Cast(kAllMotions);
-    response_.contacts.reserve(place->isectors.segments().size());
-    response_.held.reserve(place->isectors.segments().size());
   }
+  size_t lines = 0;
+  for (const IsectorSpec& isector : robot_.isectors) lines += isector.segments.size();
+  response_.contacts.reserve(lines);
+  response_.held.reserve(lines);
   EnterModule(scenario.module);
 }
 

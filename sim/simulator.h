@@ -65,7 +65,7 @@ class Simulator {
   Simulator& operator=(const Simulator&) = delete;
 
   /// Advances by one period. `now` is the scheduled moment of this step. Never throws, and
-  /// allocates nothing.
+  /// allocates nothing, unless a menu command enters a module: its bodies are made anew.
   const StepResult& Step(TimePoint now, const OperatorCommand& command);
 
   const StepResult& last() const { return result_; }

@@ -48,9 +48,32 @@ RigidBodies::Engine::Engine(const ModuleModel& module, const RobotModel& robot)
   space_.dispatcher.setNearCallback(MeetUnlessHeld);
   bodies_.reserve(objects_.size());
   Reset();
+  WarmUp();
 }
 
 RigidBodies::Engine::~Engine() { TakeAllOut(); }
+
+/// Bullet's lists of islands find their length while all bodies are awake and, high above, a heap
+/// of others is one single island. Nothing else is left of it.
+void RigidBodies::Engine::WarmUp() {
+  constexpr int kSteps = 3;  // to new contacts, to their islands, and on
+  constexpr double kStep_s = 0.004;
+  constexpr double kAbove = 1000;  // [m]
+  constexpr int kHeap = 16;        // all of them touch each other
+  btSphereShape ball(1);
+  std::vector<std::unique_ptr<btRigidBody>> heap;
+  for (int i = 0; i < kHeap; ++i) {
+    btRigidBody::btRigidBodyConstructionInfo info(1, nullptr, &ball, btVector3(1, 1, 1));
+    info.m_startWorldTransform.setOrigin(btVector3(0.1 * i, 0, kAbove));
+    heap.push_back(std::make_unique<btRigidBody>(info));
+    space_.world.addRigidBody(heap.back().get(), kMovableGroup, kMovableGroup);
+  }
+  for (int step = 0; step < kSteps; ++step) {
+    for (MovableBody& body : bodies_) body.body().activate(true);
+    space_.world.stepSimulation(kStep_s, 0);
+  }
+  Reset();
+}
 
 void RigidBodies::Engine::TakeAllOut() {
   btCollisionObjectArray& inside = space_.world.getCollisionObjectArray();

@@ -38,6 +38,7 @@ class RigidBodies::Engine {
     Eigen::Isometry3d X_in_step;        ///< where the last step left it
   };
 
+  void WarmUp();
   void TakeAllOut();
   bool IsFree(size_t body) const { return !states_[body].is_held && !states_[body].is_gone; }
   bool IsGripMoving(size_t body) const;
