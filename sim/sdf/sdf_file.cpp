@@ -10,6 +10,7 @@
 #include <sdf/Root.hh>
 #include <sdf/Scene.hh>
 #include <sdf/World.hh>
+#include <sdf/parser.hh>
 
 #include "sim/sdf/sdf_parts.h"
 #include "sim/sdf/sdf_text.h"
@@ -39,22 +40,56 @@ int LineOfError(const sdf::Error& error, const std::string& text) {
   return LineOfWord(text, message.substr(begin + 1, end - begin - 1));
 }
 
-sdf::Root Load(const std::filesystem::path& file, const std::string& text) {
-  // Errors come back as values. What libsdformat cannot read, it tries as URDF, which talks
-  // elsewhere.
-  sdf::Console::Instance()->SetQuiet(true);
-  console_bridge::noOutputHandler();
-  sdf::ParserConfig config;
-  config.SetWarningsPolicy(sdf::EnforcementPolicy::ERR);
-  config.SetUnrecognizedElementsPolicy(sdf::EnforcementPolicy::ERR);
-  sdf::Root root;
-  const sdf::Errors errors = root.LoadSdfString(text, config);
-  if (errors.empty()) return root;
-  const int line = LineOfError(errors.front(), text);
-  std::string message = OneLine(errors.front().Message());
-  if (message.starts_with("Error reading")) message += ": " + LineOfText(text, line);
-  FailAt(file, line, message);
-}
+/// Reads texts of one file. What libsdformat knows of the format is read once: that takes as long
+/// as eighty visuals.
+class SdfReader {
+ public:
+  explicit SdfReader(const std::filesystem::path& file) : file_(file) {
+    // Errors come back as values. What libsdformat cannot read, it tries as URDF, which talks
+    // elsewhere.
+    sdf::Console::Instance()->SetQuiet(true);
+    console_bridge::noOutputHandler();
+    config_.SetWarningsPolicy(sdf::EnforcementPolicy::ERR);
+    config_.SetUnrecognizedElementsPolicy(sdf::EnforcementPolicy::ERR);
+    sdf::init(sdf_);
+  }
+
+  /// Good until the next one.
+  const sdf::Root& Read(const std::string& text) {
+    root_ = sdf::Root();
+    Forget();
+    sdf::Errors errors;
+    if (sdf::readString(text, config_, sdf_, errors)) {
+      const sdf::Errors more = root_.Load(sdf_, config_);
+      errors.insert(errors.end(), more.begin(), more.end());
+    }
+    if (!errors.empty()) Fail(errors.front(), text);
+    return root_;
+  }
+
+ private:
+  /// The last text's elements, and the attributes of its root that are not of the format.
+  void Forget() {
+    const sdf::ElementPtr root = sdf_->Root();
+    root->ClearElements();
+    const sdf::Param_V attributes = root->GetAttributes();
+    for (const sdf::ParamPtr& attribute : attributes) {
+      if (attribute->GetKey() != "version") root->RemoveAttribute(attribute->GetKey());
+    }
+  }
+
+  [[noreturn]] void Fail(const sdf::Error& error, const std::string& text) const {
+    const int line = LineOfError(error, text);
+    std::string message = OneLine(error.Message());
+    if (message.starts_with("Error reading")) message += ": " + LineOfText(text, line);
+    FailAt(file_, line, message);
+  }
+
+  const std::filesystem::path& file_;
+  sdf::ParserConfig config_;
+  sdf::SDFPtr sdf_ = std::make_shared<sdf::SDF>();
+  sdf::Root root_;
+};
 
 const sdf::World& OnlyWorld(const std::filesystem::path& file, const sdf::Root& root) {
   if (root.WorldCount() == 1) return *root.WorldByIndex(0);
@@ -117,15 +152,17 @@ void ReadModels(const sdf::World& world, const std::filesystem::path& file,
 }  // namespace
 
 SdfModel ReadSdfModel(const std::filesystem::path& file) {
-  const sdf::Root root = Load(file, ReadNumberedSdf(file));
+  SdfReader reader(file);
+  const sdf::Root& root = reader.Read(ReadNumberedSdf(file));
   if (root.Model() == nullptr) FailAt(file, 1, "holds no <model>");
   return ToModel(*root.Model(), file);
 }
 
 SdfWorld ReadSdfWorld(const std::filesystem::path& file) {
+  SdfReader reader(file);
   std::optional<SdfWorld> result;
   for (const std::string& piece : WorldPieces(ReadNumberedSdf(file), kPieceBytes)) {
-    const sdf::Root root = Load(file, piece);
+    const sdf::Root& root = reader.Read(piece);
     const sdf::World& world = OnlyWorld(file, root);
     if (!result) result = ReadSurroundings(world, file);
     ReadModels(world, file, result->models);

@@ -1,6 +1,8 @@
 #include "sim/sdf/world_pieces.h"
 
+#include <algorithm>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -89,10 +91,19 @@ std::vector<Span> ModelSpans(std::string_view text) {
   return spans;
 }
 
-void BlankOut(const Span& span, std::string& text) {
-  for (size_t at = span.begin; at < span.end; ++at) {
-    if (text[at] != '\n') text[at] = ' ';
+/// The text without some spans of it; all lines keep their numbers.
+std::string Without(std::string_view text, std::span<const Span> left_out) {
+  std::string rest;
+  size_t kept = 0;
+  for (const Span& span : left_out) {
+    rest += text.substr(kept, span.begin - kept);
+    rest.append(
+        static_cast<size_t>(std::count(text.begin() + static_cast<ptrdiff_t>(span.begin),
+                                       text.begin() + static_cast<ptrdiff_t>(span.end), '\n')),
+        '\n');
+    kept = span.end;
   }
+  return rest += text.substr(kept);
 }
 
 }  // namespace
@@ -109,10 +120,10 @@ std::vector<std::string> WorldPieces(const std::string& text, size_t model_bytes
       if (last > first && bytes > model_bytes) break;
       ++last;
     }
-    std::string& piece = pieces.emplace_back(text);
-    for (size_t i = 0; i < models.size(); ++i) {
-      if (i < first || i >= last) BlankOut(models[i], piece);
-    }
+    std::vector<Span> others = models;
+    others.erase(others.begin() + static_cast<ptrdiff_t>(first),
+                 others.begin() + static_cast<ptrdiff_t>(last));
+    pieces.push_back(Without(text, others));
     first = last;
   } while (first < models.size());
   return pieces;
