@@ -13,6 +13,7 @@
 #include <sdf/parser.hh>
 
 #include "sim/sdf/sdf_parts.h"
+#include "sim/sdf/sdf_schema.h"
 #include "sim/sdf/sdf_text.h"
 #include "sim/sdf/world_pieces.h"
 
@@ -20,7 +21,7 @@ namespace eod::sim {
 
 namespace {
 
-/// Of models read at a time: some eighty visuals, for which libsdformat takes some 60 MB.
+/// Of models read at a time: some eighty visuals, for which libsdformat takes some 8 MB.
 constexpr size_t kPieceBytes = 32'000;
 
 /// One line of text, without the line breaks that some messages of libsdformat end with.
@@ -40,18 +41,18 @@ int LineOfError(const sdf::Error& error, const std::string& text) {
   return LineOfWord(text, message.substr(begin + 1, end - begin - 1));
 }
 
-/// Reads texts of one file. What libsdformat knows of the format is read once: that takes as long
-/// as eighty visuals.
+/// Reads texts of one file. What libsdformat knows of the format is read once for all of them.
 class SdfReader {
  public:
-  explicit SdfReader(const std::filesystem::path& file) : file_(file) {
+  /// `file` must outlive it; the texts are pieces of `text`.
+  SdfReader(const std::filesystem::path& file, const std::string& text) : file_(file) {
     // Errors come back as values. What libsdformat cannot read, it tries as URDF, which talks
     // elsewhere.
     sdf::Console::Instance()->SetQuiet(true);
     console_bridge::noOutputHandler();
     config_.SetWarningsPolicy(sdf::EnforcementPolicy::ERR);
     config_.SetUnrecognizedElementsPolicy(sdf::EnforcementPolicy::ERR);
-    sdf::init(sdf_);
+    sdf_->Root(SchemaFor(text));
   }
 
   /// Good until the next one.
@@ -152,16 +153,18 @@ void ReadModels(const sdf::World& world, const std::filesystem::path& file,
 }  // namespace
 
 SdfModel ReadSdfModel(const std::filesystem::path& file) {
-  SdfReader reader(file);
-  const sdf::Root& root = reader.Read(ReadNumberedSdf(file));
+  const std::string text = ReadNumberedSdf(file);
+  SdfReader reader(file, text);
+  const sdf::Root& root = reader.Read(text);
   if (root.Model() == nullptr) FailAt(file, 1, "holds no <model>");
   return ToModel(*root.Model(), file);
 }
 
 SdfWorld ReadSdfWorld(const std::filesystem::path& file) {
-  SdfReader reader(file);
+  const std::string text = ReadNumberedSdf(file);
+  SdfReader reader(file, text);
   std::optional<SdfWorld> result;
-  for (const std::string& piece : WorldPieces(ReadNumberedSdf(file), kPieceBytes)) {
+  for (const std::string& piece : WorldPieces(text, kPieceBytes)) {
     const sdf::Root& root = reader.Read(piece);
     const sdf::World& world = OnlyWorld(file, root);
     if (!result) result = ReadSurroundings(world, file);

@@ -42,6 +42,14 @@ TEST_F(WorldErrors, BrokenXmlNamesTheLine) {
   EXPECT_THAT(Load(), AllOf(StartsWith(world_.PlaceOf("<world")), HasSubstr("broken XML")));
 }
 
+TEST_F(WorldErrors, WhatTheFormatKnowsIsAcceptedHoweverSeldomAndElseRefused) {
+  const std::string pbr = "<material>\n<pbr><metal><roughness>0.5</roughness></metal></pbr>";
+  world_.Replace("<material>", pbr);
+  EXPECT_EQ(Load(), "loaded");
+  const std::string place = world_.Replace("<roughness>0.5</roughness>", "<ruffness>0</ruffness>");
+  EXPECT_THAT(Load(), AllOf(StartsWith(place), HasSubstr("ruffness")));
+}
+
 TEST_F(WorldErrors, ModuleWithoutItsFrameIsRefused) {
   const std::string place = world_.Replace("frame=\"flat\"", "frame=\"flet\"");
   EXPECT_THAT(Load(), AllOf(StartsWith(place), HasSubstr("frame = \"flet\"")));
