@@ -1,6 +1,7 @@
 #include "sim/geometry/mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -20,6 +21,22 @@ void AddQuad(const Vector3d& a, const Vector3d& b, const Vector3d& c, const Vect
 Vector3d OnCircle(double radius, int corner, int sides, double z) {
   const double angle = 2 * std::numbers::pi * (corner % sides) / sides;
   return {radius * std::cos(angle), radius * std::sin(angle), z};
+}
+
+/// A regular polygon in strips from side to side, counter-clockwise. In a fan, all triangles would
+/// meet in the middle, and what lies there would touch every one of them.
+std::vector<std::array<int, 3>> StripsOf(int sides) {
+  std::vector<std::array<int, 3>> triangles;
+  int right = 0, left = sides - 1;
+  while (left - right > 1) {
+    triangles.push_back({right, right + 1, left});
+    ++right;
+    if (left - right > 1) {
+      triangles.push_back({right, left - 1, left});
+      --left;
+    }
+  }
+  return triangles;
 }
 
 }  // namespace
@@ -47,8 +64,12 @@ Mesh CylinderMesh(double radius, double length, int sides) {
                    b = OnCircle(radius, i + 1, sides, bottom);
     const Vector3d c = OnCircle(radius, i + 1, sides, top), d = OnCircle(radius, i, sides, top);
     AddQuad(a, b, c, d, mesh);
-    mesh.push_back({Vector3d(0, 0, top), d, c});
-    mesh.push_back({Vector3d(0, 0, bottom), b, a});
+  }
+  for (const std::array<int, 3>& corners : StripsOf(sides)) {
+    const auto at = [&](int corner, double z) { return OnCircle(radius, corner, sides, z); };
+    const auto [a, b, c] = corners;
+    mesh.push_back({at(a, top), at(b, top), at(c, top)});
+    mesh.push_back({at(a, bottom), at(c, bottom), at(b, bottom)});
   }
   return mesh;
 }
