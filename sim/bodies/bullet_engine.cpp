@@ -12,6 +12,7 @@ using Eigen::Vector3d;
 
 constexpr double kTouch = 0.5e-3;    // [m] nearer than this is contact
 constexpr double kNear = 0.02;       // [m] more than a link moves in three steps at 0.67 m/s
+constexpr double kAir = 0.1;         // [m] how much farther it is looked for ground
 constexpr double kNeighbour = 0.01;  // [m] what is nearer may lean on it
 
 // User indices of Bullet's bodies: movables have their number.
@@ -137,7 +138,7 @@ bool RigidBodies::Engine::IsGripMoving(size_t body) const {
 }
 
 /// Whether a held body may touch the ground or a free one on its way.
-bool RigidBodies::Engine::IsGripNear(size_t body) const {
+bool RigidBodies::Engine::IsGripNear(size_t body) {
   const Vector3d reach = Vector3d::Constant(kNear);
   AlignedBox3d way;
   for (const Isometry3d& X_MO : {grips_[body].X_in_step, grips_[body].X_now}) {
@@ -149,12 +150,22 @@ bool RigidBodies::Engine::IsGripNear(size_t body) const {
   const auto is_near_body = [&](const AlignedBox3d& box) {
     return !box.isEmpty() && way.intersects(box);
   };
-  const auto is_near_ground = [&](const GroundMesh& ground) { return ground.IsNear(way); };
-  return std::any_of(boxes_.begin(), boxes_.end(), is_near_body) ||
-         std::any_of(ground_meshes_.begin(), ground_meshes_.end(), is_near_ground);
+  return std::any_of(boxes_.begin(), boxes_.end(), is_near_body) || IsNearGround(way);
 }
 
-bool RigidBodies::Engine::IsBusy(std::span<const Isometry3d> X_ML) const {
+bool RigidBodies::Engine::IsNearGround(const AlignedBox3d& box) {
+  if (in_the_air_.contains(box)) return false;
+  const auto is_near = [this](const AlignedBox3d& any) {
+    return ground_meshes_[0].IsNear(any) || ground_meshes_[1].IsNear(any);
+  };
+  if (is_near(box)) return true;
+  const Vector3d reach = Vector3d::Constant(kAir);
+  const AlignedBox3d more(box.min() - reach, box.max() + reach);
+  if (!is_near(more)) in_the_air_ = more;
+  return false;
+}
+
+bool RigidBodies::Engine::IsBusy(std::span<const Isometry3d> X_ML) {
   if (is_awake_) return true;
   for (size_t i = 0; i < states_.size(); ++i) {
     if (states_[i].is_held && IsGripMoving(i) && IsGripNear(i)) return true;

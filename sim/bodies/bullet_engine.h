@@ -42,9 +42,10 @@ class RigidBodies::Engine {
   void TakeAllOut();
   bool IsFree(size_t body) const { return !states_[body].is_held && !states_[body].is_gone; }
   bool IsGripMoving(size_t body) const;
-  bool IsGripNear(size_t body) const;
+  bool IsGripNear(size_t body);
+  bool IsNearGround(const Eigen::AlignedBox3d& box);
   /// Whether anything moves, or may be moved by the robot.
-  bool IsBusy(std::span<const Eigen::Isometry3d> X_ML) const;
+  bool IsBusy(std::span<const Eigen::Isometry3d> X_ML);
   void FollowGrips();
   void KeepGrips(bool was_busy);
   void ReadStates();
@@ -64,6 +65,7 @@ class RigidBodies::Engine {
   std::vector<BodyState> states_;
   std::vector<Grip> grips_;
   std::vector<Eigen::AlignedBox3d> boxes_;  ///< round each body; empty if it is gone or held
+  Eigen::AlignedBox3d in_the_air_;          ///< where a held body was last, and no ground is
   bool is_awake_ = false;
   double dt_s_ = 0;  ///< of the last step
 };

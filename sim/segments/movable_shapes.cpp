@@ -23,6 +23,15 @@ AlignedBox3d BoundsOf(const SegmentQuery& query) {
   return box;
 }
 
+/// Of all that can be cast.
+AlignedBox3d BoundsOf(std::span<const SegmentQuery> queries) {
+  AlignedBox3d box;
+  for (const SegmentQuery& query : queries) {
+    if (IsCastable(query)) box.extend(BoundsOf(query));
+  }
+  return box;
+}
+
 /// How many queries, from the first on, are culled together.
 size_t GroupLength(std::span<const SegmentQuery> queries) {
   const SegmentQuery& first = queries.front();
@@ -140,31 +149,57 @@ bool MovableShapes::IsNear(const AlignedBox3d& box, uint32_t class_mask) const {
 
 void MovableShapes::Cast(std::span<const SegmentQuery> queries, std::span<SegmentHit> hits,
                          CastMemory& memory) const {
+  const NearShapes near = ShapesNear(queries);
+  if (near.are_few && near.count == 0) return;
   const size_t listed = memory.all.size();
   for (size_t first = 0; first < queries.size();) {
     const size_t count = GroupLength(queries.subspan(first));
-    CastGroup(queries.subspan(first, count), first, hits.subspan(first, count), memory);
+    CastGroup(queries.subspan(first, count), first, near, hits.subspan(first, count), memory);
     first += count;
   }
   if (memory.all.size() != listed) SortListed(memory);
 }
 
-void MovableShapes::CastGroup(std::span<const SegmentQuery> group, size_t first,
-                              std::span<SegmentHit> hits, CastMemory& memory) const {
-  AlignedBox3d around;
-  for (const SegmentQuery& query : group) {
-    if (IsCastable(query)) around.extend(BoundsOf(query));
-  }
-  if (around.isEmpty()) return;
+MovableShapes::NearShapes MovableShapes::ShapesNear(std::span<const SegmentQuery> queries) const {
+  const AlignedBox3d around = BoundsOf(queries);
+  NearShapes result;
+  if (around.isEmpty()) return result;
   for (size_t batch = 0; batch < placed_.size(); batch += kBatch) {
     for (uint32_t near = bounds_.OverlappingBatch(batch, around); near != 0; near &= near - 1) {
-      const size_t one = batch + static_cast<size_t>(std::countr_zero(near));
-      if (!Accepts(group.front().class_mask, placed_[one].class_mask)) continue;
-      for (size_t i = 0; i < group.size(); ++i) {
-        if (!IsCastable(group[i]) || !bounds_.Overlaps(one, BoundsOf(group[i]))) continue;
-        Meet(placed_[one], first + i, group[i], hits[i], memory);
+      result.are_few = result.count < NearShapes::kMost;
+      if (!result.are_few) return result;
+      result.index[result.count++] = batch + static_cast<size_t>(std::countr_zero(near));
+    }
+  }
+  return result;
+}
+
+void MovableShapes::CastGroup(std::span<const SegmentQuery> group, size_t first,
+                              const NearShapes& near, std::span<SegmentHit> hits,
+                              CastMemory& memory) const {
+  const AlignedBox3d around = BoundsOf(group);
+  if (around.isEmpty()) return;
+  if (near.are_few) {
+    for (size_t i = 0; i < near.count; ++i) {
+      if (bounds_.Overlaps(near.index[i], around)) {
+        CastAt(near.index[i], group, first, hits, memory);
       }
     }
+    return;
+  }
+  for (size_t batch = 0; batch < placed_.size(); batch += kBatch) {
+    for (uint32_t bits = bounds_.OverlappingBatch(batch, around); bits != 0; bits &= bits - 1) {
+      CastAt(batch + static_cast<size_t>(std::countr_zero(bits)), group, first, hits, memory);
+    }
+  }
+}
+
+void MovableShapes::CastAt(size_t shape, std::span<const SegmentQuery> group, size_t first,
+                           std::span<SegmentHit> hits, CastMemory& memory) const {
+  if (!Accepts(group.front().class_mask, placed_[shape].class_mask)) return;
+  for (size_t i = 0; i < group.size(); ++i) {
+    if (!IsCastable(group[i]) || !bounds_.Overlaps(shape, BoundsOf(group[i]))) continue;
+    Meet(placed_[shape], first + i, group[i], hits[i], memory);
   }
 }
 

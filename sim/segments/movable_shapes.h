@@ -57,10 +57,21 @@ class MovableShapes {
     uint32_t OverlappingBatch(size_t first, const Eigen::AlignedBox3d& box) const;
   };
 
+  /// The shapes near all queries of a cast together, if they are few: mostly there are none.
+  struct NearShapes {
+    static constexpr size_t kMost = 4;
+    std::array<size_t, kMost> index{};
+    size_t count = 0;
+    bool are_few = true;
+  };
+
   void Place(size_t index, const Eigen::Isometry3d& X_MO);
-  /// A run of queries, beginning at `first` in the list, against all shapes.
-  void CastGroup(std::span<const SegmentQuery> group, size_t first, std::span<SegmentHit> hits,
-                 CastMemory& memory) const;
+  NearShapes ShapesNear(std::span<const SegmentQuery> queries) const;
+  /// A run of queries, beginning at `first` in the list, against the near shapes, or all.
+  void CastGroup(std::span<const SegmentQuery> group, size_t first, const NearShapes& near,
+                 std::span<SegmentHit> hits, CastMemory& memory) const;
+  void CastAt(size_t shape, std::span<const SegmentQuery> group, size_t first,
+              std::span<SegmentHit> hits, CastMemory& memory) const;
   static void Meet(const Placed& placed, size_t index, const SegmentQuery& query, SegmentHit& best,
                    CastMemory& memory);
 
