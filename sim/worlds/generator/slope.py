@@ -38,7 +38,7 @@ from .furniture import barrel, building, container, crate, hurdle, traffic_cone
 from .module import Module, part
 from .scenery import Scenery, fence, ground, land, start_pad, trees, write_mesh
 from .solid import Solid, write_text
-from .stairs import LEAD_IN, WEDGE, stairs
+from .stairs import WEDGE, stairs
 from .surfaces import (ASPHALT, BLACK, BLUE, CONCRETE, CONCRETE_DARK, GREEN, HAZARD, LINE, METAL, ORANGE, RED,
                        WHITE, WOOD, YELLOW_LINE)
 
@@ -49,6 +49,7 @@ PLANES_DEG = (10, 15, 20, 25, 30, 35, 42)
 SIDES_DEG = (10, 15, 20)
 DITCHES = ((-32, 0.4), (-36, 0.6), (-40, 0.9))
 DITCH_DEPTH = 0.3
+KERB_LEAD_IN = 0.2
 BARS = ((-16, 0.10), (-20, 0.20), (-24, 0.40), (-28, 0.55))
 TILE_RUN, TILE_WIDTH, TILE_RISE = 0.59, 1.18, 0.17
 SIGNS = {0: "15", -4: "150", -8: "165", -12: "175", 32: "10", 36: "15", 40: "20", 44: "17", -44: "20"}
@@ -142,8 +143,8 @@ def stepfield(folder):
 
 def kerb():
     link = part().visual(box(WIDTH, 2, 0.15), CONCRETE, (0, 1, 0.075)).collision(box(WIDTH, 2, 0.15), (0, 1, 0.075))
-    link.collision(mesh(WEDGE, (WIDTH, LEAD_IN, 0.15)), (0, -LEAD_IN, 0), proxy="clamp")
-    link.collision(mesh(WEDGE, (WIDTH, LEAD_IN, 0.15)), (0, 2 + LEAD_IN, 0), (0, 0, 180), proxy="clamp")
+    link.collision(mesh(WEDGE, (WIDTH, KERB_LEAD_IN, 0.15)), (0, -KERB_LEAD_IN, 0), proxy="clamp")
+    link.collision(mesh(WEDGE, (WIDTH, KERB_LEAD_IN, 0.15)), (0, 2 + KERB_LEAD_IN, 0), (0, 0, 180), proxy="clamp")
     for y in (0.06, 1.94):
         link.visual(box(WIDTH + 0.004, 0.13, 0.10), YELLOW_LINE, (0, y, 0.103))
     return link

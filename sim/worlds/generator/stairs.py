@@ -10,16 +10,17 @@ from .scenery import write_mesh
 from .solid import Solid
 from .surfaces import CONCRETE, CONCRETE_DARK, METAL, YELLOW_LINE
 
-LEAD_IN = 0.2
+LEAD_IN = 0.10  # [m] radius of the robot's small wheels [C]
 WEDGE = "meshes/wedge.obj"
 
 
-def clamp_ramp(link, width, y, z, run, rise):
-    """Ramp of the CLAMP proxy that rises by `rise` over `run` from (y, z); at its foot a lead-in, 0.2 m
-    long and half as steep, takes the edge off."""
-    link.collision(mesh(WEDGE, (width, run, rise)), (0, y, z), proxy="clamp")
-    lift = LEAD_IN / 2 * rise / run
-    link.collision(mesh(WEDGE, (width, LEAD_IN, lift)), (0, y - LEAD_IN / 2, z), proxy="clamp")
+def clamp_ramp(link, width, y, z, steps, rise, run):
+    """CLAMP proxy of a flight whose first riser is at y: the line through the nosings, and before the
+    first one a lead-in. That is as short as the small wheels' radius, for a lowered wheel has to meet
+    the riser before the ground lifts it over."""
+    link.collision(mesh(WEDGE, (width, LEAD_IN, rise)), (0, y - LEAD_IN, z), proxy="clamp")
+    line = (width, (steps - 1) * run, (steps - 1) * rise)
+    link.collision(mesh(WEDGE, line), (0, y, z + rise), proxy="clamp")
 
 
 def flight(link, width, y, z, steps, rise, run, folder):
@@ -37,7 +38,7 @@ def flight(link, width, y, z, steps, rise, run, folder):
     link.visual(body, CONCRETE, (0, y, z))
     link.visual(write_mesh(strips, f"{name}_nosings", folder), YELLOW_LINE, (0, y, z))
     link.collision(body, (0, y, z), proxy="bump")
-    clamp_ramp(link, width, y - run, z, steps * run, steps * rise)
+    clamp_ramp(link, width, y, z, steps, rise, run)
     return y + (steps - 1) * run, z + steps * rise
 
 

@@ -7,7 +7,6 @@ namespace {
 
 constexpr double kFoot = 1.5;  // [m] the first riser
 constexpr int kSteps = 10;
-constexpr double kLeadIn = 0.10;  // [m] of the ramp: lowered wheels meet the riser, not the ramp
 constexpr uint32_t kFrontWheels = 0b11;
 
 struct Flight {
@@ -19,7 +18,7 @@ struct Flight {
 
 class Stair : public ::testing::TestWithParam<Flight> {
  protected:
-  Driver driver_{Stairs(GetParam().rise, GetParam().run, kSteps, kFoot, kLeadIn)};
+  Driver driver_{Stairs(GetParam().rise, GetParam().run, kSteps, kFoot)};
 
   Stair() { driver_.command.speed_range = 0; }
 
@@ -101,7 +100,7 @@ TEST_P(Stair, IsGoneDownBackwards) {
 
 TEST_P(Stair, LoweredFlippersBreakTheFallOnTheLanding) {
   const auto hardest_tip = [this](double front_deg) {
-    Driver driver(Stairs(GetParam().rise, GetParam().run, kSteps, kFoot, kLeadIn));
+    Driver driver(Stairs(GetParam().rise, GetParam().run, kSteps, kFoot));
     driver.command.speed_range = 0;
     driver.Flipper(kFrontFlipper, 45);
     driver.Flipper(kRearFlipper, 0);

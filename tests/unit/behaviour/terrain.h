@@ -79,9 +79,9 @@ class Terrain {
 };
 
 /// `count` steps of `rise` x `run` [m] from y = `foot` on, with level ground before and a landing
-/// behind: stood on is a ramp along the nosings with a lead-in, run into are treads and
+/// behind: stood on is the line through the nosings with a lead-in, run into are treads and
 /// risers.
-inline Terrain Stairs(double rise, double run, int count, double foot, double lead_in = 0.2) {
+inline Terrain Stairs(double rise, double run, int count, double foot, double lead_in = 0.1) {
   const double top = count * rise, last = foot + (count - 1) * run;
   Terrain::Profile steps = {{-5, 0}};
   for (int i = 0; i < count; ++i) {

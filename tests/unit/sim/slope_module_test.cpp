@@ -153,16 +153,20 @@ TEST_P(Stairs, ClampIsTheLineThroughTheNosings) {
     EXPECT_NEAR(Slope().HeightAt(stair.x, middle, kClampProxy), nosing.y() - slope * stair.run / 2,
                 1e-9);
   }
-  // The lead-in: 0.2 m about the foot of the line, half as steep.
-  const double foot = kStart - stair.run;
-  EXPECT_NEAR(Slope().HeightAt(stair.x, foot - 0.101, kClampProxy), 0, 1e-9);
-  EXPECT_NEAR(Slope().HeightAt(stair.x, foot, kClampProxy), 0.1 * slope / 2, 1e-9);
-  EXPECT_NEAR(Slope().HeightAt(stair.x, foot + 0.1, kClampProxy), 0.1 * slope, 1e-4);
-  // No height changes by more than the slope allows, up to the platform and down the ramp.
+  // The lead-in: as long as the small wheels' radius, 0.10 m.
+  for (const size_t first : {0, stair.first_flight}) {
+    if (first == nosings.size()) continue;
+    const auto& nosing = nosings[first];
+    const double below = nosing.y() - stair.rise;
+    EXPECT_NEAR(Slope().HeightAt(stair.x, nosing.x() - 0.101, kClampProxy), below, 1e-9);
+    EXPECT_NEAR(Slope().HeightAt(stair.x, nosing.x() - 0.05, kClampProxy), below + stair.rise / 2,
+                1e-9);
+  }
+  // No height changes by more than the lead-in's slope, up to the platform and down the ramp.
   double before = 0;
-  for (double y = foot - 0.2; y < 22; y += 0.01) {
+  for (double y = kStart - 0.2; y < 22; y += 0.01) {
     const double height = Slope().HeightAt(stair.x, y, kClampProxy);
-    EXPECT_LE(std::abs(height - before), 0.01 * slope + 1e-4) << y;
+    EXPECT_LE(std::abs(height - before), 0.01 * stair.rise / 0.1 + 1e-4) << y;
     before = height;
   }
   EXPECT_EQ(before, 0);
