@@ -15,8 +15,6 @@ Vector3d DownIn(const Eigen::Isometry3d& X_MG) {
   return -X_MG.linear().transpose() * Vector3d::UnitZ();
 }
 
-int FirstOf(int a, int b) { return a >= 0 ? a : b; }
-
 }  // namespace
 
 Disposal::Disposal(RobotModel& robot, int probe, const ModuleModel& module, const Rules& rules,
@@ -28,6 +26,7 @@ Disposal::Disposal(RobotModel& robot, int probe, const ModuleModel& module, cons
       hand_(robot),
       wrist_(FindLink(robot, "wrist")),
       grasp_(rules.grasp, mode),
+      pressing_(hand_, module, rules.grasp),
       push_(robot, rules.charge),
       watch_(module, rules.charge, rules.vessel),
       circuit_(rules.disrupter, seed),
@@ -38,6 +37,7 @@ Disposal::Disposal(RobotModel& robot, int probe, const ModuleModel& module, cons
 
 void Disposal::Reset() {
   grasp_.Reset();
+  pressing_.Reset();
   push_.Reset();
   watch_.Reset();
   circuit_.Reset();
@@ -47,7 +47,7 @@ void Disposal::Reset() {
   was_released_ = opening_ = too_heavy_ = false;
   fall_speed_ = 0;
   std::fill(touched_.begin(), touched_.end(), 0);
-  left_charge_ = right_charge_ = pinched_ = newly_held_ = -1;
+  newly_held_ = -1;
   judged_.reset();
   verdict_ = {};
   orders_ = {};
@@ -78,7 +78,7 @@ const MotionVerdict& Disposal::Judge(const BeforeMotion& step, Response& respons
   NoteTouches(step, response);
   const HandLines lines =
       hand_.Read(step.segments, response.contacts, module_, step.movable_of_object);
-  StopHands(step, lines, response);
+  pressing_.Update(closing && !grasp_.is_held(), lines, step.X_ML, step.bodies, response, touched_);
   if (hand_.has_hands() && !grasp_.is_held()) TryGrasp(step, lines);
   if (grasp_.is_held()) {
     too_heavy_ = held_mass() > step.payload;
@@ -86,16 +86,9 @@ const MotionVerdict& Disposal::Judge(const BeforeMotion& step, Response& respons
     verdict_.right_hand_stopped = step.state->right_opening <= grasp_.right_opening();
     CheckRim(step, response);
   }
-  // A charge between the pads yields a little now and then: pinched is pinched until the operator
-  // closes no more, or holds it.
-  const int pressed = FirstOf(left_charge_, right_charge_);
-  if (!closing || grasp_.is_held()) {
-    pinched_ = -1;
-  } else if (pressed >= 0 && Contains(response.blocked, kGripperClose)) {
-    pinched_ = pressed;
-  }
-  if (grasp_.Squeeze(pinched_ >= 0, step.dt_s)) {
-    judged_ = Detonation{pinched_, DetonationCause::kSqueezed};
+  if (closing && !grasp_.is_held()) pressing_.Pinch(response);
+  if (grasp_.Squeeze(pressing_.pinched() >= 0, step.dt_s)) {
+    judged_ = Detonation{pressing_.pinched(), DetonationCause::kSqueezed};
   }
   verdict_.let_through =
       push_.Update(*step.demand, step.segments, response, step.movable_of_object, step.dt_s);
@@ -103,7 +96,7 @@ const MotionVerdict& Disposal::Judge(const BeforeMotion& step, Response& respons
     if (!Contains(verdict_.let_through, motion)) continue;
     verdict_.most[motion] = push_.RateOf(motion, step.demand->speed_range);
   }
-  status_.grasp = JudgeHands(lines, closing);
+  status_.grasp = GraspOf(lines, closing);
   if (hand_.has_hands()) X_MG_before_ = step.X_ML[hand_.gripper()];
   return verdict_;
 }
@@ -117,38 +110,6 @@ void Disposal::NoteTouches(const BeforeMotion& step, const Response& response) {
     const int movable = MovableOf(step.movable_of_object, cast.hit.object);
     if (movable >= 0) touched_[movable] = 1;
   }
-}
-
-/// Respond stops a hand whose lines are inside a charge. One that presses it with another part of
-/// its pad has to stop too, when the pad yields no more.
-void Disposal::StopHands(const BeforeMotion& step, const HandLines& lines, Response& response) {
-  constexpr MotionSet kClose = SetOf(kGripperClose);
-  left_charge_ = right_charge_ = -1;
-  if (!Contains(step.demand->commanded, kGripperClose) || grasp_.is_held()) return;
-  if ((response.left_hand_blocked & kClose) != 0) {
-    left_charge_ = FirstOf(lines[kL1].charge, lines[kL2].charge);
-  }
-  if ((response.right_hand_blocked & kClose) != 0) {
-    right_charge_ = FirstOf(lines[kL4].charge, lines[kL5].charge);
-  }
-  for (const ChargeState& charge : watch_.charges()) {
-    const BodyState& body = step.bodies[charge.body];
-    if (body.is_gone) continue;
-    const PadPress press =
-        PressOn(hand_, step.X_ML, Explosive(charge.body), body.X_MO, rules_.grasp.pad_half_height);
-    if (press.left > 0 || press.right > 0) touched_[charge.body] = 1;
-    if (press.left >= rules_.grasp.pad) {
-      left_charge_ = charge.body;
-      response.left_hand_blocked |= kClose;
-      response.contact_parts |= 1u << static_cast<int>(Part::kLeftHand);
-    }
-    if (press.right >= rules_.grasp.pad) {
-      right_charge_ = charge.body;
-      response.right_hand_blocked |= kClose;
-      response.contact_parts |= 1u << static_cast<int>(Part::kRightHand);
-    }
-  }
-  response.blocked |= response.left_hand_blocked & response.right_hand_blocked;
 }
 
 void Disposal::TryGrasp(const BeforeMotion& step, const HandLines& lines) {
@@ -176,7 +137,7 @@ void Disposal::TryGrasp(const BeforeMotion& step, const HandLines& lines) {
   grasp_.Hold(candidate, X_MG.inverse() * body.X_MO, step.state->left_opening,
               step.state->right_opening, IsHeldWell(grip, rules_.grasp));
   newly_held_ = candidate;
-  left_charge_ = right_charge_ = -1;
+  pressing_.LetGo();
   ShapeProbe(DownIn(X_MG));
 }
 
@@ -206,15 +167,9 @@ void Disposal::CheckRim(const BeforeMotion& step, const Response& response) {
   }
 }
 
-GraspState Disposal::JudgeHands(const HandLines& lines, bool closing) const {
+GraspState Disposal::GraspOf(const HandLines& lines, bool closing) const {
   if (grasp_.is_held()) return GraspState::kGrasped;
-  if (was_released_) return GraspState::kReleased;
-  const bool left = left_charge_ >= 0 || lines[kL1].charge >= 0 || lines[kL2].charge >= 0;
-  const bool right = right_charge_ >= 0 || lines[kL4].charge >= 0 || lines[kL5].charge >= 0;
-  if (left && right) return GraspState::kContactBoth;
-  if (left) return GraspState::kContactLeft;
-  if (right) return GraspState::kContactRight;
-  return closing ? GraspState::kClosing : GraspState::kOpen;
+  return was_released_ ? GraspState::kReleased : pressing_.State(lines, closing);
 }
 
 const DisposalStatus& Disposal::Advance(const AfterMotion& step) {

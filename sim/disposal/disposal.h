@@ -10,6 +10,7 @@
 #include "sim/disposal/fire_circuit.h"
 #include "sim/disposal/grasp.h"
 #include "sim/disposal/held_probe.h"
+#include "sim/disposal/pressing_hands.h"
 #include "sim/disposal/push_through.h"
 #include "sim/disposal/shot.h"
 #include "sim/rules/rules.h"
@@ -95,12 +96,11 @@ class Disposal {
  private:
   const ExplosiveSpec& Explosive(int body) const { return *module_.movables[body].explosive; }
   void NoteTouches(const BeforeMotion& step, const Response& response);
-  void StopHands(const BeforeMotion& step, const HandLines& lines, Response& response);
   void TryGrasp(const BeforeMotion& step, const HandLines& lines);
   void CheckRim(const BeforeMotion& step, const Response& response);
   Eigen::Vector3d GripperVelocity(const BeforeMotion& step, const Eigen::Vector3d& p_M) const;
   double RelativeSpeed(const BeforeMotion& step, const BodyState& body) const;
-  GraspState JudgeHands(const HandLines& lines, bool closing) const;
+  GraspState GraspOf(const HandLines& lines, bool closing) const;
 
   void Carry(const AfterMotion& step);
   void LetGo();
@@ -117,6 +117,7 @@ class Disposal {
   HandLayout hand_;
   int wrist_;
   Grasp grasp_;
+  PressingHands pressing_;
   PushThrough push_;
   ChargeWatch watch_;
   FireCircuit circuit_;
@@ -129,9 +130,7 @@ class Disposal {
   double fall_speed_ = 0;  ///< [m/s] of the robot, in the last Advance
 
   // From Judge to Advance.
-  std::vector<char> touched_;                 ///< one a movable
-  int left_charge_ = -1, right_charge_ = -1;  ///< pressed by hands that close no more
-  int pinched_ = -1;  ///< charge between hands that could close no more, while closing is commanded
+  std::vector<char> touched_;  ///< one a movable
   std::optional<Detonation> judged_;
   bool opening_ = false;
   bool too_heavy_ = false;
