@@ -261,7 +261,7 @@ void Simulator::Dispose(const OperatorCommand& command) {
   place_->MoveBodies(dt_s_, link_poses_);
   const DisposalStatus& disposal = result_.disposal;
   if (before == DetonationCause::kNone && disposal.detonation != before) {
-    explosion_.Ignite(disposal.detonation_point, static_cast<uint32_t>(scenario_.seed),
+    explosion_.Ignite(disposal.detonation_ground, static_cast<uint32_t>(scenario_.seed),
                       disposal.robot_destroyed);
   }
   explosion_.Step(dt_s_);

@@ -69,7 +69,13 @@ void Simulator::UpdateTask(uint32_t contacts_before) {
   inputs.in_contact = response_.contact_parts != 0;
   inputs.rolled_over = alarms_.IsActive(AlarmCode::kRollover);
   if (first >= 0) {
-    inputs.contact_object = place_->world.ObjectName(place_->isectors.segments()[first].hit.object);
+    const CastSegment& cast = place_->isectors.segments()[first];
+    inputs.contact_object = place_->world.ObjectName(cast.hit.object);
+    inputs.contact_by_held = cast.isector == probe_;
+  } else if (inputs.in_contact && result_.disposal.bomb_body >= 0) {
+    // No line of the robot, so a pad on the charge.
+    const auto charge = static_cast<size_t>(result_.disposal.bomb_body);
+    inputs.contact_object = place_->module().movables[charge].name;
   }
   inputs.forward_clearance = ahead.clearance;
   inputs.forward_object = place_->world.ObjectName(ahead.object);

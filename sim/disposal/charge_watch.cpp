@@ -111,8 +111,9 @@ DetonationCause ChargeWatch::UpdateFree(ChargeState& charge, History& history,
   charge.disturbed = charge.unstable = false;
   if (charge.in_vessel) {
     history.highest = lowest;
-    history.airborne = false;
-    charge.state = body.is_moving ? BombState::kDropped : BombState::kInCan;
+    history.airborne = history.airborne && !body.touches_ground;
+    const bool rests = !body.is_moving && !history.airborne;
+    charge.state = rests ? BombState::kInCan : BombState::kDropped;
     return DetonationCause::kNone;
   }
   const double fallen = history.highest - lowest;

@@ -5,6 +5,7 @@
 
 #include "sim/disposal/charge.h"
 #include "sim/geometry/gravity.h"
+#include "sim/segments/isector_method.h"
 
 namespace eod::sim {
 namespace {
@@ -251,10 +252,26 @@ void Disposal::Detonate(int body, DetonationCause cause, const AfterMotion& step
   if (grasp_.is_held() && grasp_.charge() == body) LetGo();
   status_.detonation = cause;
   status_.detonation_point = step.bodies[body].X_MO.translation();
+  status_.detonation_ground = GroundBelow(body, step);
   const double distance = (status_.detonation_point - step.state->position).norm();
   status_.robot_destroyed = !charge.in_vessel && distance < rules_.charge.lethal;
   orders_.remove = body;
   watch_.Explode(body);
+}
+
+/// What is below the charge's middle; its own lowest height where nothing is.
+Vector3d Disposal::GroundBelow(int body, const AfterMotion& step) {
+  const Eigen::Isometry3d& X_MO = step.bodies[body].X_MO;
+  constexpr double kDeepest = 5;  // [m] more than the arm reaches up
+  const SegmentQuery query{.start = X_MO.translation(),
+                           .direction = -Vector3d::UnitZ(),
+                           .length = kDeepest,
+                           .class_mask = module_.class_bit | UsualClasses(IsectorMethod::kHat)};
+  SegmentHit hit;
+  if (step.world != nullptr) step.world->Cast({&query, 1}, {&hit, 1}, memory_);
+  Vector3d ground = X_MO.translation();
+  ground.z() = hit.hit ? hit.point.z() : LowestPoint(Explosive(body), X_MO);
+  return ground;
 }
 
 void Disposal::FillStatus() {

@@ -108,6 +108,7 @@ class Disposal {
   void Shoot(const AfterMotion& step);
   void Watch(const AfterMotion& step);
   void Detonate(int body, DetonationCause cause, const AfterMotion& step);
+  Eigen::Vector3d GroundBelow(int body, const AfterMotion& step);
   void FillStatus();
 
   RobotModel& robot_;

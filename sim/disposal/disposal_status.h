@@ -68,6 +68,8 @@ struct DisposalStatus {
   bool unstable = false;              ///< tilted beyond the second one
   DetonationCause detonation = DetonationCause::kNone;  ///< stays until the module is entered anew
   Eigen::Vector3d detonation_point = Eigen::Vector3d::Zero();  ///< [m] in the module's frame
+  /// On what lies below that: ground, table, net; where fire and smoke come from
+  Eigen::Vector3d detonation_ground = Eigen::Vector3d::Zero();
   bool robot_destroyed = false;  ///< it was too near: dead until the module is entered anew
   FireState fire = FireState::kSafe;
   int fire_nonce = 0;          ///< 0..255, to be echoed by the box

@@ -11,6 +11,15 @@ constexpr double kGrazing = 1e-6;
 
 constexpr MotionSet kGripperMotions = SetOf(kGripperOpen) | SetOf(kGripperClose);
 
+/// From the segment's start to the surface; 0 within a thing that can be pushed. Such things are
+/// pushed skin on skin, and what starts at the robot's skin may start a little inside of them. The
+/// lines that tell nearness are within a charge when it is held between the pads.
+double Distance(const SegmentSpec& segment, const CastSegment& cast) {
+  const bool yields = (cast.hit.object_class & (kBombObject | kMovableObject)) != 0;
+  const bool from_inside = cast.hit.normal.dot(cast.query.direction) > 0;
+  return yields && from_inside && !TellsNearness(segment) ? 0 : cast.hit.range;
+}
+
 /// How much nearer than D a surface has to be before it stops a motion.
 double NearerThanD(const SegmentSpec& segment, const SegmentHit& hit) {
   const bool is_charge = (hit.object_class & kBombObject) != 0;
@@ -80,7 +89,8 @@ bool Judge::Shortens(const CastSegment& cast, int motion, const Eigen::Vector3d&
 
 SegmentContact Judge::JudgeAlone(const CastSegment& cast, const HeldContact* held) const {
   const SegmentSpec& segment = Segment(cast);
-  const double reached = cast.hit.range + NearerThanD(segment, cast.hit);
+  const double distance = Distance(segment, cast);
+  const double reached = distance + NearerThanD(segment, cast.hit);
   SegmentContact contact;
   contact.threshold = held != nullptr ? held->threshold : segment.d0;
   ForEachMotion(MayBlock(cast) & demand_.commanded, [&](int motion) {
@@ -96,7 +106,7 @@ SegmentContact Judge::JudgeAlone(const CastSegment& cast, const HeldContact* hel
       if (Shortens(cast, motion, OriginVelocity(cast, motion, 1))) contact.blocks |= SetOf(motion);
     });
   }
-  contact.contact = cast.hit.range < contact.threshold;
+  contact.contact = distance < contact.threshold;
   return contact;
 }
 
@@ -107,8 +117,9 @@ void Judge::JudgeTogether(const CastSegment& cast, MotionSet left_over,
                 [&](int motion) { v_M += OriginVelocity(cast, motion, demand_.rate[motion]); });
   const double threshold = DistanceThreshold(Segment(cast), v_M.norm(), law_);
   contact.threshold = std::max(contact.threshold, threshold);
-  contact.contact = cast.hit.range < contact.threshold;
-  const double reached = cast.hit.range + NearerThanD(Segment(cast), cast.hit);
+  const double distance = Distance(Segment(cast), cast);
+  contact.contact = distance < contact.threshold;
+  const double reached = distance + NearerThanD(Segment(cast), cast.hit);
   if (reached >= threshold || v_M.dot(cast.query.direction) <= kGrazing * v_M.norm()) return;
   ForEachMotion(left_over & MayBlock(cast), [&](int motion) {
     const Eigen::Vector3d own = OriginVelocity(cast, motion, demand_.rate[motion]);

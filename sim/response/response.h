@@ -12,7 +12,7 @@ namespace eod::sim {
 /// How one cast segment was judged.
 struct SegmentContact {
   double threshold = 0;  ///< [m] D of Eq. 2 in this step; D0 while nothing moves
-  bool contact = false;  ///< hit and range < threshold
+  bool contact = false;  ///< hit and nearer than threshold
   MotionSet blocks = 0;  ///< motions that would shorten it
 };
 
@@ -59,7 +59,8 @@ bool TellsNearness(const SegmentSpec& segment);
 /// blocked by it. Lines of a hand stop that hand alone while the gripper opens or closes; both
 /// hands stopped block the motion. A line that tells nearness is in contact with a charge at D, as
 /// with all else, but a charge stops motions no sooner than its `skin` (3.4: l3, l6 and l9 alone
-/// are no contact; it could not get between the hands otherwise).
+/// are no contact; it could not get between the hands otherwise). A line that starts within a thing
+/// that can be pushed is in contact with it at distance 0.
 ///
 /// `response` is the one of the step before (its `held` contacts matter) and is overwritten. No
 /// allocation once its vectors have grown.

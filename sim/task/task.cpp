@@ -12,6 +12,8 @@ namespace eod::sim {
 namespace {
 
 constexpr double kCollisionPenalty = 2;  // points, 4.2 of the design
+constexpr double kTouchPenalty = 10;     // points, 4.2 of the design
+constexpr double kTouchMemory = 1.0;     // [s]
 constexpr double kStillTime = 1.0;       // [s]
 constexpr double kStillSpeed = 1e-3;     // [m/s] and [rad/s]
 
@@ -95,6 +97,7 @@ const TaskStatus& Task::Advance(const TaskInputs& inputs) {
   status_.elapsed_s = static_cast<double>(elapsed_steps_) * inputs.dt_s;
   if (inputs.new_contact) CountCollision(inputs);
   WatchGrasp(inputs);
+  CountTouches(inputs);
   if (status_.step < status_.steps && IsComplete(steps_[status_.step], inputs)) {
     CompleteStep(*inputs.state);
   }
@@ -134,6 +137,8 @@ void Task::Reset() {
   asked_collisions_ = 0;
   still_steps_ = 0;
   held_ = -1;
+  touched_s_ = -1;
+  held_s_ = 2 * kTouchMemory;
 }
 
 void Task::Start(const RobotState& state) {
@@ -225,8 +230,25 @@ void Task::CountCollision(const TaskInputs& inputs) {
   if (status_.step >= status_.steps) return;
   const TaskStep& spec = steps_[status_.step].spec;
   const bool touches = spec.kind == TaskStep::Kind::kContact || spec.kind == TaskStep::Kind::kGrasp;
-  const bool asked = touches && (spec.object.empty() || spec.object == inputs.contact_object);
-  if (asked) ++asked_collisions_;
+  const bool sets_down = spec.kind == TaskStep::Kind::kPlaceInVessel && inputs.contact_by_held;
+  const bool it = spec.object.empty() || spec.object == inputs.contact_object;
+  if ((touches || sets_down) && it) ++asked_collisions_;
+}
+
+/// Touches that belong to no grasp.
+void Task::CountTouches(const TaskInputs& inputs) {
+  held_s_ = held_ >= 0 ? 0 : held_s_ + inputs.dt_s;
+  const bool touched = inputs.disposal != nullptr && inputs.disposal->touched;
+  if (held_s_ <= kTouchMemory) {
+    touched_s_ = -1;
+  } else if (touched) {
+    touched_s_ = 0;
+  } else if (touched_s_ >= 0) {
+    touched_s_ += inputs.dt_s;
+    if (touched_s_ <= kTouchMemory) return;
+    touched_s_ = -1;
+    ++status_.bomb_touches;
+  }
 }
 
 void Task::CompleteStep(const RobotState& state) {
@@ -242,7 +264,8 @@ double Task::Score() const {
     all += steps_[i].spec.weight;
     if (i < status_.step) done += steps_[i].spec.weight;
   }
-  const double penalty = kCollisionPenalty * (status_.collisions - asked_collisions_);
+  const double penalty = kCollisionPenalty * (status_.collisions - asked_collisions_) +
+                         kTouchPenalty * status_.bomb_touches;
   return all > 0 ? std::max(0.0, 100 * done / all - penalty) : 0;
 }
 

@@ -34,6 +34,7 @@ struct TaskStatus {
   int steps = 0;
   double score = 0;  ///< 0..100
   int collisions = 0;
+  int bomb_touches = 0;  ///< times a charge was touched that was not grasped then
   FailReason fail_reason = FailReason::kNone;
   bool operator==(const TaskStatus&) const = default;
 };
@@ -53,6 +54,7 @@ struct TaskInputs {
   bool in_contact = false;
   bool rolled_over = false;
   std::string_view contact_object;  ///< object of the first contact, "" if none
+  bool contact_by_held = false;     ///< it was made by what the gripper holds
   /// [m] from the foremost point of a robot that stands to what is ahead; infinity if nothing is,
   /// or it moves
   double forward_clearance = 0;
@@ -64,7 +66,10 @@ struct TaskInputs {
 /// Progress through a scenario's steps. Pure; no allocation in Advance.
 ///
 /// The score is the share of the completed steps' weights, 0..100, less 2 for every collision that
-/// no step asked for, and never below 0. Touching what is to be grasped is asked for.
+/// no step asked for, less 10 for every time a charge is touched and not grasped, and never below
+/// 0. Touching what is to be grasped is asked for, and so is setting the held charge down in its
+/// vessel. A touch lasts until the charge has been left alone for a second; a grasp just before or
+/// during it makes it part of the grasp.
 ///
 /// A detonation, a rollover or the time limit fails the mission.
 class Task {
@@ -99,6 +104,7 @@ class Task {
   bool IsLifted(const Step& step, const TaskInputs& inputs) const;
   FailReason Failure(const TaskInputs& inputs) const;
   void CountCollision(const TaskInputs& inputs);
+  void CountTouches(const TaskInputs& inputs);
   void CompleteStep(const RobotState& state);
   double Score() const;
 
@@ -108,8 +114,10 @@ class Task {
   int64_t elapsed_steps_ = 0;
   int asked_collisions_ = 0;
   int still_steps_ = 0;
-  int held_ = -1;                                   ///< movable in the gripper
-  double grasp_height_ = 0;                         ///< [m] z of its frame when it was grasped
+  double touched_s_ = -1;    ///< [s] since a charge was touched last; negative: no touch is open
+  double held_s_ = 0;        ///< [s] since a charge was held last
+  int held_ = -1;            ///< movable in the gripper
+  double grasp_height_ = 0;  ///< [m] z of its frame when it was grasped
   Eigen::Vector3d mark_ = Eigen::Vector3d::Zero();  ///< where the last step was completed
   Eigen::Vector3d last_position_ = Eigen::Vector3d::Zero();
 };

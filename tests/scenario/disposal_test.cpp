@@ -1,134 +1,117 @@
+// Charges taken, carried and put away, through the box.
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include "tests/scenario/operator_script.h"
+#include "tests/scenario/charge_script.h"
 
 namespace eod::lockstep {
 namespace {
 
 using namespace std::chrono_literals;
 
-const std::filesystem::path kPickUp = kData / "firmware_emu/scripts/bomb_ground.boxscript";
+constexpr double kDegree = std::numbers::pi / 180;
 
-std::string Open(double metres) {
-  return fmt::format("hold M17 until joint 7 >= {} within 4s\n", metres);
+Mission ShippedMission(const std::string& script, const std::string& scenario) {
+  return Mission(box::LoadScript(kData / "firmware_emu/scripts" / (script + ".boxscript")),
+                 ShippedScenario(scenario));
 }
 
-/// At charge M, the gripper round it and open; `last_m` is the last, creeping bit of the way.
-std::string AroundChargeM(double last_m = 0.238) {
-  return PowerUp("bomb") +
-         "speed low\nhold preset ground_pick until joint 4 >= 108.6 within 20s\n" + Open(0.08) +
-         "hold M01 until travel >= 4.5 within 30s\nwait 500ms\nspeed creep\n" +
-         fmt::format("hold M01 until travel >= {} within 30s\nwait 1s\n", last_m);
-}
-
-std::string TakeChargeM() {
-  return AroundChargeM() +
-         "hold M18 until grasp grasped within 6s\nwait 500ms\nhold M09 for 2s\nwait 500ms\n";
-}
-
-TEST(Disposal, ChargeFromTheGroundEndsInTheCan) {
-  Mission dut(box::LoadScript(kPickUp), ShippedScenario("bomb_ground_m"));
-  PlayScript(dut, 300s);
-  const sim::StepResult& last = dut.rig().simulator().last();
+void ExpectSuccess(Mission& mission) {
+  const sim::StepResult& last = mission.rig().simulator().last();
   EXPECT_EQ(last.task.state, sim::MissionState::kSuccess);
   EXPECT_EQ(last.disposal.bomb, sim::BombState::kInCan);
+  EXPECT_DOUBLE_EQ(last.task.score, 100.0);
 }
 
-TEST(Disposal, TwoRunsGiveTheSameBits) {
-  Mission first(box::LoadScript(kPickUp), ShippedScenario("bomb_ground_m"));
-  Mission second(box::LoadScript(kPickUp), ShippedScenario("bomb_ground_m"));
-  ASSERT_TRUE(first.Run(300s));
-  ASSERT_TRUE(second.Run(300s));
+struct Disposing {
+  std::string script, scenario;
+};
+class WholeMission : public ::testing::TestWithParam<Disposing> {};
+
+TEST_P(WholeMission, EndsInTheVesselWithAllPoints) {
+  Mission dut = ShippedMission(GetParam().script, GetParam().scenario);
+  PlayScript(dut, 300s);
+  ExpectSuccess(dut);
+}
+
+INSTANTIATE_TEST_SUITE_P(Charges, WholeMission,
+                         ::testing::Values(Disposing{"bomb_ground", "bomb_ground_m"},
+                                           Disposing{"bomb_bench", "bomb_bench_l"},
+                                           Disposing{"bomb_chamber", "bomb_chamber_m"}),
+                         [](const auto& mission) { return mission.param.scenario; });
+
+TEST(Disposal, FromTheTableToTheCanIsTheSameBitsTwice) {
+  Mission first = ShippedMission("bomb_table", "bomb_table_s");
+  Mission second = ShippedMission("bomb_table", "bomb_table_s");
+  PlayScript(first, 300s);
+  PlayScript(second, 300s);
+  ExpectSuccess(first);
   EXPECT_TRUE(first.can_log() == second.can_log());
   EXPECT_TRUE(first.states() == second.states());
 }
 
-TEST(Disposal, ChargeDroppedOnTheGroundGoesOff) {
-  Mission dut = RunMission(TakeChargeM() +
-                               "hold M17 for 1s\nwait bomb exploded within 3s\n"
-                               "wait mission fail within 1s\nexpect failure exploded\n",
-                           "bomb_ground_m");
-  PlayScript(dut, 120s);
-  const sim::DisposalStatus& disposal = dut.rig().simulator().last().disposal;
-  EXPECT_EQ(disposal.detonation, sim::DetonationCause::kDropped);
-  EXPECT_TRUE(disposal.robot_destroyed);
-}
-
-TEST(Disposal, PushingOnAfterTheAlarmTopplesTheChargeWhichGoesOff) {
-  // The closed hand high on the charge, straight into it.
-  Mission dut = RunMission(PowerUp("bomb") +
-                               "speed low\nhold preset ground_pick until joint 4 >= 108.6 within "
-                               "20s\nhold M09 for 1s\nwait 500ms\nhold M01 until travel >= 4.3 "
-                               "within 30s\nspeed creep\npress M01\nwait bomb touched within 15s\n"
-                               "wait alarm any within 1s\nwait bomb exploded within 30s\n"
-                               "expect failure exploded\n",
-                           "bomb_ground_m");
-  PlayScript(dut, 120s);
-  EXPECT_EQ(dut.rig().simulator().last().disposal.detonation, sim::DetonationCause::kTipped);
-}
-
-/// Moves joint `joint` [deg] to `target` with motion `motion`, the last degrees slowly.
-std::string MoveJoint(int joint, double target, std::string_view motion, bool down) {
-  const double sign = down ? 1 : -1;
-  return fmt::format(
-      "rate 100%\nhold {0} until joint {1} {2} {3} within 30s\nrate 10%\n"
-      "hold {0} until joint {1} {2} {4} within 30s\nrate 100%\nwait 300ms\n",
-      motion, joint, down ? "<=" : ">=", target + sign * 4, target + sign * 0.05);
-}
-
-constexpr std::string_view kTakeAndLift =
-    "wait 500ms\nhold M18 until grasp grasped within 6s\nwait 500ms\nhold M09 for 2s\n"
-    "wait bomb carried within 1s\nexpect lamp grasp on\n";
-
-TEST(Disposal, SmallChargeIsTakenFromTheTable) {
-  Mission dut = RunMission(PowerUp("bomb") + DriveAhead(2) + TurnTo(90, true) + DriveAhead(4) +
-                               TurnTo(0.25, false) + MoveJoint(3, 54.3, "M10", true) +
-                               MoveJoint(4, 99.3, "M11", false) + MoveJoint(5, 26.4, "M14", true) +
-                               Open(0.05) + DriveAhead(2.85) + std::string(kTakeAndLift),
+TEST(Disposal, EachHandStopsOnItsOwnWhereTheChargeIs) {
+  Mission dut = RunMission(HandAtTheTable() + Open(0.05) + DriveAhead(2.85) +
+                               "wait 500ms\npress M18\nwait grasp contact_right within 3s\n"
+                               "wait grasp grasped within 3s\nrelease all\nwait 500ms\n",
                            "bomb_table_s");
   PlayScript(dut, 120s);
+  const sim::StepResult& last = dut.rig().simulator().last();
+  const sim::ExplosiveSpec charge{.radius = 0.030, .half_height = 0.080};
+  // Where the charge is in the robot's frame, seen across the heading.
+  const Eigen::Vector3d to_charge = last.charge - last.state.position;
+  const double heading = last.state.attitude.heading;
+  const double right = to_charge.x() * std::cos(heading) + to_charge.y() * std::sin(heading);
+  ASSERT_GT(right, 0.005);  // beside the middle, so that the hands have different ways
+  const double pad = ShippedData().rules.grasp.pad;
+  EXPECT_NEAR(last.state.right_opening, charge.radius + right, pad);
+  EXPECT_NEAR(last.state.left_opening, charge.radius - right, pad);
 }
 
-TEST(Disposal, LargeChargeIsTakenUnderTheBench) {
-  Mission dut =
-      RunMission(PowerUp("bomb") + DriveAhead(2) + TurnTo(270, false) + DriveAhead(4) +
-                     TurnTo(359.75, true) + MoveJoint(4, 123.9, "M11", false) +
-                     MoveJoint(3, 7.0, "M10", true) + MoveJoint(5, 49.1, "M13", false) + Open(0.1) +
-                     DriveAhead(2.70) + "wait 500ms\nhold M18 until grasp grasped within 8s\n",
-                 "bomb_bench_l");
-  PlayScript(dut, 120s);
-}
-
-TEST(Disposal, ChargeSqueezedOffItsMiddleGoesOff) {
-  // 38 mm short of the middle: the five lines never agree.
-  Mission dut = RunMission(
-      AroundChargeM(0.2) + "press M18\nwait bomb exploded within 8s\nexpect failure exploded\n",
-      "bomb_ground_m");
-  PlayScript(dut, 120s);
-  EXPECT_EQ(dut.rig().simulator().last().disposal.detonation, sim::DetonationCause::kSqueezed);
-}
-
-TEST(Disposal, ChargeCarriedIntoTheRimGoesOff) {
+TEST(Disposal, TheGripperTurnsWithItsLoad) {
   Mission dut = RunMission(TakeChargeM() +
-                               "hold preset carry until joint 3 >= 70.0 within 20s\nspeed low\n"
-                               "press M01\nwait bomb exploded within 60s\n",
+                               "hold M15 until joint 6 >= 30 within 5s\nwait 500ms\n"
+                               "expect grasp grasped\nexpect bomb carried\n",
                            "bomb_ground_m");
-  PlayScript(dut, 200s);
-  EXPECT_EQ(dut.rig().simulator().last().disposal.detonation, sim::DetonationCause::kRimStrike);
+  std::optional<double> pitch_when_taken;
+  const auto pitch = [](const sim::RobotState& state) {
+    return state.joint[sim::kBigArm] + state.joint[sim::kSmallArm] + state.joint[sim::kWrist] -
+           std::numbers::pi;
+  };
+  dut.rig().SetStepSink([&](const sim::StepResult& step, const sim::AlarmTable&) {
+    if (step.disposal.held_body >= 0 && !pitch_when_taken) pitch_when_taken = pitch(step.state);
+  });
+  PlayScript(dut, 120s);
+  ASSERT_TRUE(pitch_when_taken.has_value());
+  const sim::StepResult& last = dut.rig().simulator().last();
+  using Eigen::AngleAxisd, Eigen::Vector3d;
+  // It stood upright when it was taken; J6 is positive counter-clockwise, about -Y.
+  const Vector3d axis = AngleAxisd(pitch(last.state), Vector3d::UnitX()) *
+                        (AngleAxisd(-last.state.joint[sim::kGripperRoll], Vector3d::UnitY()) *
+                         (AngleAxisd(-*pitch_when_taken, Vector3d::UnitX()) * Vector3d::UnitZ()));
+  EXPECT_GT(std::acos(axis.z()), 30 * kDegree);
+  EXPECT_NEAR(last.disposal.bomb_tilt, std::acos(axis.z()), 0.5 * kDegree);
 }
 
-TEST(Disposal, DisrupterFiresOnlyWithKeyCircuitAndBothHands) {
-  const std::string armed = PowerUp("bomb") +
-                            "arm_key safe\nwait 200ms\narm_key armed\n"
-                            "circuit 1\nwait fire ready within 3s\n";
-  Mission one_hand =
-      RunMission(armed + "fire_left pressed\nwait 1s\nexpect not fire fired\n", "bomb_disrupt");
-  PlayScript(one_hand, 60s);
-  Mission both = RunMission(armed +
-                                "fire_left pressed\nwait 100ms\nfire_right pressed\n"
-                                "wait fire fired within 2s\nwait lamp fired on within 1s\n",
-                            "bomb_disrupt");
-  PlayScript(both, 60s);
+TEST(Disposal, LetGoLowerThanTheDropRuleItStandsAgain) {
+  Mission dut = RunMission(GraspChargeM() +
+                               "rate 10%\nhold M09 for 5s\nrate 100%\nhold M17 for 1s\nwait 2s\n"
+                               "expect bomb placed\nexpect mission run\n",
+                           "bomb_ground_m");
+  double highest = 0;
+  dut.rig().SetStepSink([&](const sim::StepResult& step, const sim::AlarmTable&) {
+    if (step.disposal.held_body >= 0) highest = std::max(highest, step.charge.z());
+  });
+  PlayScript(dut, 120s);
+  const sim::StepResult& last = dut.rig().simulator().last();
+  const double fall = highest - last.charge.z();
+  EXPECT_GT(fall, 0.05);
+  EXPECT_LT(fall, ShippedData().rules.charge.drop);
+  EXPECT_NEAR(last.charge.z(), 0.12, 0.002);  // half of its 240 mm
+  EXPECT_EQ(last.disposal.detonation, sim::DetonationCause::kNone);
 }
 
 }  // namespace
