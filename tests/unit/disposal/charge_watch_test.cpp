@@ -161,6 +161,17 @@ TEST_F(Watching, FallsIntoTheCanAndRestsOnTheNetInAnyAttitude) {
   EXPECT_EQ(charge().state, BombState::kInCan);
 }
 
+TEST_F(Watching, LetGoInTheCanItIsNotInItBeforeItMeetsTheNet) {
+  Place(Standing(0.52, 0, {4, 4, 0}), false);
+  Step(true);
+  body_.is_moving = false;  // as in the step that lets it go
+  Step();
+  EXPECT_EQ(charge().state, BombState::kDropped);
+  Place(Standing(0.50, 0, {4, 4, 0}), true);
+  Step();
+  EXPECT_EQ(charge().state, BombState::kInCan);
+}
+
 TEST_F(Watching, BesideTheCanTheDropRuleDecides) {
   const Vector3d beside(4, 4.3, 0);
   Place(Standing(1.0, 0, beside), false);

@@ -66,6 +66,19 @@ TEST(PushThrough, AWallBesideTheChargeKeepsTheRobotWhereItIs) {
   EXPECT_EQ(bench.state.position.y(), y);
 }
 
+TEST(PushThrough, AThingPushedSkinOnSkinStaysInContactWithTheLineThatStartsThere) {
+  Bench bench;
+  bench.Open(0.10);
+  // The right tip a millimetre inside: its line l4 leaves the charge 119 mm on, and its D0 is 20.
+  bench.PlaceInHand(0.10, 0.08 + 0.06 - 0.001);
+  bench.Step(DemandFor({kDriveForward}));
+  EXPECT_NEAR(bench.Range("l4"), 0.119, 1e-6);
+  EXPECT_TRUE(Contains(bench.response.blocked, kDriveForward));
+  EXPECT_TRUE(bench.dut.status().touched);
+  bench.Step(DemandFor({kDriveReverse}));
+  EXPECT_FALSE(Contains(bench.response.blocked, kDriveReverse));
+}
+
 TEST(PushThrough, SqueezingIsNoPushing) {
   Bench bench;
   bench.Open(0.0549);

@@ -59,6 +59,36 @@ TEST_F(Shooting, PastItOrIntoAWallItDoesNothing) {
   EXPECT_FALSE(At(1));
 }
 
+TEST(Disposal, ABlastBeginsOnWhatLiesBelowTheCharge) {
+  const auto crushed_in_the_hand = [](Bench& bench) {
+    bench.Open(0.08);
+    bench.PlaceInHand(0, 0);
+    EXPECT_TRUE(bench.CloseUntilGrasped());
+    bench.rolled_over = true;
+    bench.Step({});
+    EXPECT_EQ(bench.dut.status().detonation, DetonationCause::kCrushed);
+    const Eigen::Vector3d along =
+        bench.dut.status().detonation_ground - bench.dut.status().detonation_point;
+    EXPECT_EQ(along.head<2>().norm(), 0);
+    return bench.dut.status().detonation_ground.z();
+  };
+  Bench on_ground;
+  on_ground.world.AddPlane("ground", kModuleBomb | kClampProxy, {0, 0, 0}, {0, 0, 1});
+  EXPECT_NEAR(crushed_in_the_hand(on_ground), 0, 1e-9);
+
+  Bench on_table;
+  const double top = 0.5;
+  on_table.world.AddPlane("ground", kModuleBomb | kClampProxy, {0, 0, 0}, {0, 0, 1});
+  on_table.world.AddBox("table", kModuleBomb | kClampProxy,
+                        Eigen::Translation3d(0, 1.15, top - 0.02) * Isometry3d::Identity(),
+                        {2, 2, 0.04});
+  EXPECT_NEAR(crushed_in_the_hand(on_table), top, 1e-9);
+
+  Bench over_nothing;
+  const double lowest = crushed_in_the_hand(over_nothing);
+  EXPECT_NEAR(lowest, over_nothing.dut.status().detonation_point.z() - 0.12, 1e-9);
+}
+
 TEST(Disposal, AShotOfThePanelDisruptsWhatTheBarrelLooksAt) {
   Bench bench;
   const int wrist = FindLink(bench.robot, "wrist");
