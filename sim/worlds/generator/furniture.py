@@ -89,17 +89,10 @@ def conifer(scale):
 
 
 def hurdle(height):
-    """Round bar across the lane, its top `height` above the ground. A track meets it as it meets an edge
-    of 45 degrees: that is the CLAMP proxy, with the bar inside it."""
+    """Round bar across the lane, its top `height` above the ground."""
     radius = height / 2
     link = part().visual(cylinder(radius, 2.4), METAL, (0, 0, radius), ALONG_X)
-    link.collision(cylinder(radius, 2.4), (0, 0, radius), ALONG_X, proxy="bump")
-    half_top = radius * (math.sqrt(2) - 1)
-    link.collision(box(2.4, 2 * half_top, height), (0, 0, radius), proxy="clamp")
-    for heading in (0, 180):
-        side = -1 if heading == 0 else 1
-        link.collision(mesh("meshes/wedge.obj", (2.4, height, height)),
-                       (0, side * (half_top + height), 0), (0, 0, heading), proxy="clamp")
+    link.collision(cylinder(radius, 2.4), (0, 0, radius), ALONG_X)
     for side in (-1, 1):
         link.visual(box(0.10, 0.30, height + 0.05), HAZARD, (side * 1.25, 0, (height + 0.05) / 2))
     return link
