@@ -1,5 +1,4 @@
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "tests/scenario/terrain_lanes.h"
@@ -17,7 +16,6 @@ constexpr double kBeyond = 0.5;   // [m] the same on the landing, where they are
 constexpr double kFlipper = 0.4;  // [m] between a flipper's axles ...
 constexpr double kAxleHeight = 0.15, kWheel = 0.10;  // [m] ... its inner end and its outer wheel
 constexpr size_t kPicture = 40 / 4;                  // simulator steps in a picture's time
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// Pitch from picture to picture, and how far up the robot came.
 class PitchWatch {

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <algorithm>
+#include <numbers>
 #include <string>
 
 #include "tests/scenario/operator_script.h"
 
 namespace eod::lockstep {
+
+inline constexpr double kDegree = std::numbers::pi / 180;
 
 /// To y = 6.5 before the station of the lane at x, heading 0.
 inline std::string ToLane(double x) {
