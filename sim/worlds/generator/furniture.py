@@ -1,8 +1,6 @@
 """What stands about in every training area."""
 
-import math
-
-from sdf_writer import box, cone, cylinder, mesh, sphere
+from sdf_writer import box, cone, cylinder, sphere
 
 from .module import part
 from .surfaces import (ALONG_X, BARK, BLACK, BLUE, BRICK, BRICK_PALE, CONCRETE, CONCRETE_DARK, GLASS, GREEN,
