@@ -56,7 +56,11 @@ Stance::Stance(const RobotModel& robot, uint32_t module_mask)
   props_.reserve(most + 1);
 }
 
-void Stance::Reset() { stood_on_ = {-1, -1, -1}; }
+void Stance::Reset() {
+  stood_on_ = {-1, -1, -1};
+  centre_sink_ = 0;
+  turn_.setZero();
+}
 
 RobotState Stance::Stand(const World& world, std::span<const Isometry3d> X_ML,
                          const RobotState& before, const RobotState& state, double dt_s,
@@ -118,6 +122,7 @@ RobotState Stance::StandWithin(const World& world, std::span<const Isometry3d> X
     Lie();
   } else {
     next.rolls_over = !Rest(centre, limits.sink);
+    if (dt_s > 0) FallByTheCentre(centre, limits.sink, dt_s);
   }
   const bool held_up = IsHeldUp(limits.sink);
   const double moved = std::abs(plane_.offset) + turning_radius_ * plane_.slope.lpNorm<1>();
@@ -220,11 +225,34 @@ bool Stance::Rest(const Vector2d& centre, double sink) {
   return stands;
 }
 
+/// What loses its last hold falls as fast as its centre of gravity did, not as fast as the farther
+/// point that it tipped by: a fall from a height may not gain more than that height's energy. And
+/// it turns on as it did, until it would turn into the ground.
+void Stance::FallByTheCentre(const Vector2d& centre, double sink, double dt_s) {
+  bool holds = false;
+  for (size_t i = 0; i < 3; ++i) {
+    const auto prop = static_cast<size_t>(plane_.props[i]);
+    holds |= plane_.load[i] > kCarries && prop < depths_.size() && depths_[prop] >= -sink;
+  }
+  if (!holds) {
+    const double falls = std::min(sink, centre_sink_ + kGravity * dt_s * dt_s);
+    plane_ = {.offset = -falls - turn_.dot(centre), .slope = turn_, .props = {-1, -1, -1}};
+    for (size_t i = 0; i < depths_.size(); ++i) {
+      if (plane_.At(props_[i].x, props_[i].y) >= depths_[i]) continue;
+      plane_ = {.offset = -falls, .props = {-1, -1, -1}};
+      break;
+    }
+  }
+  turn_ = plane_.slope;
+  centre_sink_ = std::max(0.0, -plane_.At(centre.x(), centre.y()));
+}
+
 /// What has turned over lies as it fell, and only falls on, down to the first point that touches.
 void Stance::Lie() {
   double touches = -robot_.stance.reach_down;
   for (const Prop& prop : props_) touches = std::max(touches, prop.height);
   plane_ = {.offset = touches, .props = {-1, -1, -1}};
+  centre_sink_ = std::max(0.0, -touches);
   stood_on_ = {-1, -1, -1};
 }
 
@@ -253,7 +281,7 @@ bool Stance::IsHeldUp(double sink) const {
 /// Of the prop that gives way fastest, among those that carry.
 double Stance::SinkSpeed(double dt_s) const {
   if (dt_s <= 0) return 0;
-  if (plane_.props[0] < 0) return plane_.offset < 0 ? -plane_.offset / dt_s : 0;
+  if (plane_.props[0] < 0) return centre_sink_ / dt_s;
   double lowest = 0;
   for (size_t i = 0; i < 3; ++i) {
     if (plane_.load[i] > kCarries) lowest = std::min(lowest, props_[plane_.props[i]].height);

@@ -64,6 +64,7 @@ class Stance {
   void MeetLevelGround(double z);
   void SetProps(const RobotState& state, const Limits& limits);
   bool Rest(const Eigen::Vector2d& centre, double sink);
+  void FallByTheCentre(const Eigen::Vector2d& centre, double sink, double dt_s);
   bool WarmStart(const Eigen::Vector2d& centre, std::array<int, 3>& triangle) const;
   bool IsHeldUp(double sink) const;
   double SinkSpeed(double dt_s) const;
@@ -85,6 +86,8 @@ class Stance {
   CastMemory memory_;
   RestingPlane plane_;
   std::array<int, 3> stood_on_ = {-1, -1, -1};  ///< points of the last plane
+  double centre_sink_ = 0;                      ///< [m] of the centre of gravity in the last step
+  Eigen::Vector2d turn_ = Eigen::Vector2d::Zero();  ///< slope of the last step's plane_
   std::array<double, 2> flipper_gap_{};
   struct Calm {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
