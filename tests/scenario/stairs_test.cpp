@@ -158,6 +158,29 @@ TEST(Stairs, TopTakenWithFlippersUpTipsTheRobot) {
   EXPECT_NEAR(dut.rig().simulator().last().state.position.z(), stair.top(), 1e-6);
 }
 
+TEST_P(StairDrive, PresetStairDownKeepsItFromTippingBackwards) {
+  const Stair stair = GetParam();
+  const double way = kFoot - kMark - stair.run + stair.flight() * stair.flights +
+                     (stair.flights - 1) * (stair.landing - stair.run) + kBeyond;
+  Mission dut = RunMission(
+      ToLane(stair.x) + "hold preset stair_up until joint 3 <= 60.1 within 30s\nwait 300ms\n" +
+          "speed low\n" + Travel("M01", way) +
+          "hold preset stair_down until joint 1 <= 0.1 within 30s\nwait 300ms\nspeed creep\n" +
+          Travel("M02", -way) + "wait 1s\nexpect lamp tilt off\nexpect mission run\n",
+      "slope_stairs");
+  double backwards = 0;
+  bool is_up = false;
+  dut.rig().SetStepSink([&](const sim::StepResult& step, const sim::AlarmTable&) {
+    is_up |= step.state.position.z() > stair.top() - 1e-6 && step.speed < 0;
+    if (is_up) backwards = std::max(backwards, step.state.attitude.pitch);
+  });
+  PlayScript(dut, 400s);
+  EXPECT_TRUE(is_up);
+  // Its tail meets the stairs by flippers that go on where the tracks end.
+  EXPECT_LT(backwards, stair.slope() + 5 * kDegree);
+  EXPECT_NEAR(dut.rig().simulator().last().state.position.z(), 0, 1e-6);
+}
+
 TEST(Stairs, CompleteScenarioIsDrivenToSuccess) {
   Mission dut(box::LoadScript(kData / "firmware_emu/scripts/slope_stairs.boxscript"),
               ShippedScenario("slope_stairs"));

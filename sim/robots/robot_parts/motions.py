@@ -13,7 +13,7 @@ PRESETS = (
     ("carry", (None, None, 70.1, 65.5, 44.4, None, None, None, None)),
     ("can_drop", (None, None, 57.1, 138.0, -75.1, None, None, None, None)),
     ("stair_up", (50, 0, 60, 35, 80, None, None, None, None)),
-    ("stair_down", (0, 45, 60, 35, 80, None, None, None, None)),
+    ("stair_down", (0, 0, 60, 35, 80, None, None, None, None)),
 )
 # To full rate in a quarter of a second [E]; the drives in two thirds at the highest speed.
 START_UP = 0.25
