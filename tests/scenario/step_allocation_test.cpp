@@ -1,26 +1,11 @@
-#include <cstdlib>
-
-#include <LinearMath/btAlignedAllocator.h>
 #include <gtest/gtest.h>
 
 #include "tests/scenario/recorded_commands.h"
+#include "tests/unit/counting_bullet.h"
 #include "tests/unit/counting_new.h"
 
 namespace eod::lockstep {
 namespace {
-
-long bullet_allocations = 0;
-
-void* CountedAllocation(size_t size) {
-  ++bullet_allocations;
-  return std::malloc(size);
-}
-
-/// Bullet must be told before it takes anything.
-const bool kCounting = [] {
-  btAlignedAllocSetCustom(CountedAllocation, std::free);
-  return true;
-}();
 
 /// A mission whose commands were recorded, in a simulator of its own. Where a menu command enters
 /// the module, its bodies are made anew; no other step takes memory, and be it the first mission.
@@ -48,7 +33,7 @@ sim::StepResult Play(const std::string& script, const std::string& scenario_name
 }
 
 TEST(StepAllocation, NoStepTakesMemoryWhileAChargeIsGraspedCarriedAndDroppedIntoTheCan) {
-  ASSERT_TRUE(kCounting);
+  ASSERT_TRUE(kCountsBullet);
   const sim::StepResult last = Play("bomb_ground", "bomb_ground_m");
   EXPECT_EQ(last.disposal.bomb, sim::BombState::kInCan);
   EXPECT_EQ(last.task.state, sim::MissionState::kSuccess);

@@ -1,8 +1,6 @@
-#include <cstdlib>
-
-#include <LinearMath/btAlignedAllocator.h>
 #include <gtest/gtest.h>
 
+#include "tests/unit/counting_bullet.h"
 #include "tests/unit/counting_new.h"
 #include "tests/unit/sim/bodies_scene.h"
 
@@ -12,21 +10,8 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-long bullet_allocations = 0;
-
-void* CountedAllocation(size_t size) {
-  ++bullet_allocations;
-  return std::malloc(size);
-}
-
-/// Bullet must be told before it takes anything.
-const bool kCounting = [] {
-  btAlignedAllocSetCustom(CountedAllocation, std::free);
-  return true;
-}();
-
 TEST(RigidBodiesAllocation, NoStepTakesMemory) {
-  ASSERT_TRUE(kCounting);
+  ASSERT_TRUE(kCountsBullet);
   ModuleModel module = GroundOf(40, 1);
   AddStandingCharge(module, kMiddleCharge, 0, 0.6);
   AddStandingCharge(module, kSmallCharge, 1, 1.5);
