@@ -27,7 +27,7 @@ Place::Place(RobotModel& robot, int probe, const WorldModel& all, const ModuleMo
       bodies(model, robot),
       disposal(robot, probe, model, config.exercise, config.grasp,
                static_cast<uint64_t>(scenario.seed)),
-      task(ScenarioIn(model, scenario), model),
+      task(ScenarioIn(model, scenario), model, config.exercise.score),
       module_(model),
       probe_(probe) {
   hidden_.assign(model.movables.size(), 0);

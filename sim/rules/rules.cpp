@@ -11,14 +11,23 @@ namespace eod::sim {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr std::array<std::string_view, 6> kTables = {"tilt",   "grasp",     "charge",
-                                                     "vessel", "disrupter", "explosion"};
+constexpr std::array<std::string_view, 7> kTables = {"tilt",      "grasp",     "charge", "vessel",
+                                                     "disrupter", "explosion", "score"};
 
 TiltRules ReadTilt(const TomlTable& table) {
   constexpr std::array<std::string_view, 2> kKeys = {"alarm_deg", "rollover_deg"};
   table.RejectUnknownKeys(kKeys);
   return {.alarm = table.Number("alarm_deg", 1, 90) * kDegree,
           .rollover = table.Number("rollover_deg", 1, 90) * kDegree};
+}
+
+ScoreRules ReadScore(const TomlTable& table) {
+  constexpr std::array<std::string_view, 3> kKeys = {"collision_points", "touch_points",
+                                                     "touch_memory_s"};
+  table.RejectUnknownKeys(kKeys);
+  return {.collision_points = table.Number("collision_points", 0, 100),
+          .touch_points = table.Number("touch_points", 0, 100),
+          .touch_memory = table.Number("touch_memory_s", 0, 60)};
 }
 
 }  // namespace
@@ -33,7 +42,8 @@ Rules LoadRules(const std::filesystem::path& file) {
           .charge = ReadCharge(table.Table("charge")),
           .vessel = ReadVessel(table.Table("vessel")),
           .disrupter = ReadDisrupter(table.Table("disrupter")),
-          .explosion = ReadExplosion(table.Table("explosion"))};
+          .explosion = ReadExplosion(table.Table("explosion")),
+          .score = ReadScore(table.Table("score"))};
 }
 
 }  // namespace eod::sim

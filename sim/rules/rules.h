@@ -4,6 +4,7 @@
 
 #include "sim/rules/disposal_rules.h"
 #include "sim/rules/explosion_rules.h"
+#include "sim/rules/score_rules.h"
 
 namespace eod::sim {
 
@@ -23,6 +24,7 @@ struct Rules {
   VesselRules vessel;
   DisrupterRules disrupter;
   ExplosionRules explosion;
+  ScoreRules score;
 };
 
 /// Reads and checks the rules. Throws std::runtime_error with one line "FILE:LINE: …".

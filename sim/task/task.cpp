@@ -11,11 +11,8 @@
 namespace eod::sim {
 namespace {
 
-constexpr double kCollisionPenalty = 2;  // points, 4.2 of the design
-constexpr double kTouchPenalty = 10;     // points, 4.2 of the design
-constexpr double kTouchMemory = 1.0;     // [s]
-constexpr double kStillTime = 1.0;       // [s]
-constexpr double kStillSpeed = 1e-3;     // [m/s] and [rad/s]
+constexpr double kStillTime = 1.0;    // [s]
+constexpr double kStillSpeed = 1e-3;  // [m/s] and [rad/s]
 
 template <typename Named>
 int IndexOf(const std::vector<Named>& list, const std::string& name) {
@@ -53,8 +50,8 @@ bool StandsStill(double speed, double turn_rate) {
   return std::abs(speed) < kStillSpeed && std::abs(turn_rate) < kStillSpeed;
 }
 
-Task::Task(const Scenario& scenario, const ModuleModel& module)
-    : time_limit_s_(scenario.time_limit_s) {
+Task::Task(const Scenario& scenario, const ModuleModel& module, const ScoreRules& rules)
+    : rules_(rules), time_limit_s_(scenario.time_limit_s) {
   for (const TaskStep& spec : scenario.steps) steps_.push_back(MakeStep(spec, scenario, module));
   status_.steps = static_cast<int>(steps_.size());
 }
@@ -138,7 +135,7 @@ void Task::Reset() {
   still_steps_ = 0;
   held_ = -1;
   touched_s_ = -1;
-  held_s_ = 2 * kTouchMemory;
+  held_s_ = 2 * rules_.touch_memory;
 }
 
 void Task::Start(const RobotState& state) {
@@ -239,13 +236,13 @@ void Task::CountCollision(const TaskInputs& inputs) {
 void Task::CountTouches(const TaskInputs& inputs) {
   held_s_ = held_ >= 0 ? 0 : held_s_ + inputs.dt_s;
   const bool touched = inputs.disposal != nullptr && inputs.disposal->touched;
-  if (held_s_ <= kTouchMemory) {
+  if (held_s_ <= rules_.touch_memory) {
     touched_s_ = -1;
   } else if (touched) {
     touched_s_ = 0;
   } else if (touched_s_ >= 0) {
     touched_s_ += inputs.dt_s;
-    if (touched_s_ <= kTouchMemory) return;
+    if (touched_s_ <= rules_.touch_memory) return;
     touched_s_ = -1;
     ++status_.bomb_touches;
   }
@@ -264,8 +261,8 @@ double Task::Score() const {
     all += steps_[i].spec.weight;
     if (i < status_.step) done += steps_[i].spec.weight;
   }
-  const double penalty = kCollisionPenalty * (status_.collisions - asked_collisions_) +
-                         kTouchPenalty * status_.bomb_touches;
+  const double penalty = rules_.collision_points * (status_.collisions - asked_collisions_) +
+                         rules_.touch_points * status_.bomb_touches;
   return all > 0 ? std::max(0.0, 100 * done / all - penalty) : 0;
 }
 

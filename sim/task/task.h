@@ -10,6 +10,7 @@
 
 #include "sim/disposal/disposal_status.h"
 #include "sim/robot/robot_state.h"
+#include "sim/rules/score_rules.h"
 #include "sim/task/scenario.h"
 #include "sim/world/world_model.h"
 
@@ -65,18 +66,19 @@ struct TaskInputs {
 
 /// Progress through a scenario's steps. Pure; no allocation in Advance.
 ///
-/// The score is the share of the completed steps' weights, 0..100, less 2 for every collision that
-/// no step asked for, less 10 for every time a charge is touched and not grasped, and never below
-/// 0. Touching what is to be grasped is asked for, and so is setting the held charge down in its
-/// vessel. A touch lasts until the charge has been left alone for a second; a grasp just before or
-/// during it makes it part of the grasp.
+/// The score is the share of the completed steps' weights, 0..100, less
+/// ScoreRules::collision_points for every collision that no step asked for, less touch_points for
+/// every time a charge is touched and not grasped, and never below 0. Touching what is to be
+/// grasped is asked for, and so is setting the held charge down in its vessel. A touch lasts until
+/// the charge has been left alone for touch_memory; a grasp just before or during it makes it part
+/// of the grasp.
 ///
 /// A detonation, a rollover or the time limit fails the mission.
 class Task {
  public:
   /// Throws std::runtime_error that names the scenario's file, if a step's object is not in
   /// `module`, or is not what the step needs: a movable to grasp, a vessel to place in.
-  Task(const Scenario& scenario, const ModuleModel& module);
+  Task(const Scenario& scenario, const ModuleModel& module, const ScoreRules& rules);
 
   const TaskStatus& Advance(const TaskInputs& inputs);
   const TaskStatus& status() const { return status_; }
@@ -108,6 +110,7 @@ class Task {
   void CompleteStep(const RobotState& state);
   double Score() const;
 
+  ScoreRules rules_;
   std::vector<Step> steps_;
   double time_limit_s_;
   TaskStatus status_;

@@ -194,7 +194,7 @@ TEST(DisposalTask, ObjectOfTheWrongSortIsRefused) {
     Scenario scenario = Mission::Make({StepOf(kind, object)}, 0);
     scenario.file = "x.toml";
     try {
-      Task dut(scenario, BombYard());
+      Task dut(scenario, BombYard(), kScoreRules);
     } catch (const std::runtime_error& error) {
       return error.what();
     }

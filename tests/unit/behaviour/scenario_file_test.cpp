@@ -131,7 +131,7 @@ TEST(ShippedScenarios, NameObjectsThatTheirModulesHave) {
     const Scenario scenario = LoadScenario(entry.path());
     EXPECT_EQ(scenario.name, entry.path().stem().string());
     EXPECT_FALSE(scenario.steps.empty()) << scenario.name;
-    EXPECT_NO_THROW(Task(scenario, world.Module(scenario.module))) << scenario.name;
+    EXPECT_NO_THROW(Task(scenario, world.Module(scenario.module), ScoreRules{})) << scenario.name;
     ++count;
   }
   EXPECT_GE(count, 7);

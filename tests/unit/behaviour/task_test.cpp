@@ -8,7 +8,7 @@ namespace eod::sim {
 namespace {
 
 TEST(Task, WaitsIdleUntilItIsStarted) {
-  Task dut(Mission::Make({StepOf(TaskStep::Kind::kContact, "wall")}, 0), Flat());
+  Task dut(Mission::Make({StepOf(TaskStep::Kind::kContact, "wall")}, 0), Flat(), kScoreRules);
   RobotState state;
   TaskInputs inputs;
   inputs.state = &state;
@@ -109,7 +109,7 @@ TEST(Task, UnknownObjectIsRefused) {
   Scenario scenario = Mission::Make({StepOf(TaskStep::Kind::kContact, "wal")}, 0);
   scenario.file = "x.toml";
   try {
-    Task dut(scenario, Flat());
+    Task dut(scenario, Flat(), kScoreRules);
     FAIL();
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "x.toml: object 'wal' is not in module 1 (flat)");

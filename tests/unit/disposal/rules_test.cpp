@@ -68,6 +68,8 @@ TEST(Rules, ErrorsNameFileLineAndWhatIsAllowed) {
   EXPECT_THAT(error, StartsWith(rules.Place() + "'steps' has to be"));
   error = rules.ErrorWith("max_range_m = 3.0", "max_range_m = 0.1");
   EXPECT_THAT(error, StartsWith(rules.Place() + "max_range_m = 0.1, allowed 0.2"));
+  error = rules.ErrorWith("touch_points = 10", "touch_points = 101");
+  EXPECT_EQ(error, rules.Place() + "touch_points = 101, allowed 0 .. 100");
   EXPECT_THAT(rules.ErrorWith("[vessel]", "[wessel]"), ::testing::HasSubstr("wessel"));
 }
 
