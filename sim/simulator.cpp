@@ -11,9 +11,6 @@
 namespace eod::sim {
 namespace {
 
-constexpr MotionSet kDriveMotions =
-    SetOf(kDriveForward) | SetOf(kDriveReverse) | SetOf(kTurnLeft) | SetOf(kTurnRight);
-
 double SignedRate(const RobotModel& robot, const MotionDemand& demand, int positive, int negative) {
   return demand.rate[positive] * RatedSpeed(robot, positive, demand.speed_range) -
          demand.rate[negative] * RatedSpeed(robot, negative, demand.speed_range);
@@ -170,7 +167,7 @@ void Simulator::Cast(MotionSet wanted) {
 
 /// Drive motions that would tilt the robot too far; all of them once it rolls over.
 MotionSet Simulator::TiltingMotions() const {
-  return result_.state.rolls_over ? kDriveMotions : tilt_guard_.refused();
+  return result_.state.rolls_over ? kChassisMotions : tilt_guard_.refused();
 }
 
 /// What the lines found says to hands and charges.
@@ -216,7 +213,7 @@ bool Simulator::Move(const MotionDemand& wanted, const Inhibition& inhibition,
                               (closes && verdict.left_hand_stopped);
   allowed.right_hand_stopped = (allowed.commanded & response_.right_hand_blocked) != 0 ||
                                (closes && verdict.right_hand_stopped);
-  driven_ = allowed.commanded & kDriveMotions;
+  driven_ = allowed.commanded & kChassisMotions;
   const RobotState before = result_.state;
   result_.state = Advance(robot_, before, allowed, dt_s_);
   result_.speed = SignedRate(robot_, allowed, kDriveForward, kDriveReverse);

@@ -40,6 +40,21 @@ void ForEachMotion(MotionSet set, const Function& function) {
   }
 }
 
+bool IsSmallWheel(Part part) {
+  return part == Part::kFrontLeftWheel || part == Part::kFrontRightWheel ||
+         part == Part::kRearLeftWheel || part == Part::kRearRightWheel;
+}
+
+/// Whether a small wheel's line looks down on a floor, both within 45 degrees: the wheel of a
+/// flipper that props the robot up rolls on it.
+bool RollsOn(const IsectorSpec& isector, const CastSegment& cast) {
+  constexpr double kSteep = 0.70710678118654752;
+  const Eigen::Vector3d& n_M = cast.hit.normal;
+  const bool loose = (cast.hit.object_class & (kBombObject | kMovableObject)) != 0;
+  return IsSmallWheel(isector.part) && cast.hit.hit && !loose && n_M.z() >= kSteep &&
+         n_M.dot(cast.query.direction) <= -kSteep;
+}
+
 /// Judges the segments of one step.
 class Judge {
  public:
@@ -78,6 +93,7 @@ class Judge {
 };
 
 bool Judge::Shortens(const CastSegment& cast, int motion, const Eigen::Vector3d& v_M) const {
+  if (Contains(kChassisMotions, motion) && RollsOn(Isector(cast), cast)) return false;
   const Eigen::Vector3d& u_M = cast.query.direction;
   if (v_M.dot(u_M) > kGrazing * v_M.norm()) return true;
   // l1, l2 and l5 run along the pads, across the way the hands move. They meet a surface from

@@ -39,6 +39,9 @@ inline constexpr MotionSet kAllMotions = (1u << kMotionCount) - 1;
 /// Beside motions, in the sets that an isector is loaded by: cast even while nothing is commanded.
 inline constexpr MotionSet kAlways = 1u << 31;
 constexpr MotionSet SetOf(int motion) { return 1u << motion; }
+/// M01 to M04.
+inline constexpr MotionSet kChassisMotions =
+    SetOf(kDriveForward) | SetOf(kDriveReverse) | SetOf(kTurnLeft) | SetOf(kTurnRight);
 constexpr bool Contains(MotionSet set, int motion) { return (set >> motion & 1u) != 0; }
 
 /// Index of a joint: J1 is 0.

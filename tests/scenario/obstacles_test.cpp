@@ -119,11 +119,17 @@ TEST(HighBar, AtTheLimitThrowsTheCarelessOverItsNose) {
   EXPECT_LT(seen.nose_down, -45 * kDegree);
 }
 
-TEST(HighBar, AboveTheLimitIsNotCrossed) {
+TEST(HighBar, AboveTheLimitIsNotCrossedAndLeavesTheWayBack) {
+  // Back on the rear flippers, which go up when the tracks are off the bar.
   Mission dut = RunMission(RearUp(-28) +
                                "hold M08 until reason joint_limit within 6s\nwait 300ms\n"
                                "press M01\nwait reason tilt within 9s\nwait 9s\n"
-                               "expect reason tilt\nrelease all\nwait 1s\nexpect mission run\n",
+                               "expect reason tilt\nrelease all\nwait 1s\n"
+                               "hold M02 until travel <= -0.8 within 12s\n"
+                               "hold M07 until joint 2 >= 0 within 9s\n"
+                               "hold M02 until travel <= -0.5 within 12s\nwait 1s\n"
+                               "expect lamp tilt off\nexpect lamp collision off\n"
+                               "expect mission run\n",
                            "slope_ramps");
   double farthest = 0;
   dut.rig().SetStepSink([&](const sim::StepResult& step, const sim::AlarmTable&) {
@@ -131,6 +137,7 @@ TEST(HighBar, AboveTheLimitIsNotCrossed) {
   });
   PlayScript(dut, 300s);
   EXPECT_LT(farthest, 8);
+  EXPECT_NEAR(dut.rig().simulator().last().state.position.z(), 0, 1e-3);
 }
 
 TEST(CrossingRamps, RollAndPitchAlternate) {
