@@ -31,10 +31,7 @@ class PressingHands {
   /// and then: pinched is pinched until the operator closes no more.
   void Pinch(const Response& response);
 
-  /// Charge pressed by a hand that closes no more, as a movable's index; -1: none.
-  int left() const { return left_; }
-  int right() const { return right_; }
-  /// Charge between two such hands.
+  /// Charge between two hands that close no more, as a movable's index; -1: none.
   int pinched() const { return pinched_; }
 
   /// What the box shows of hands that hold nothing.

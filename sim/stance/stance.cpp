@@ -231,8 +231,7 @@ bool Stance::Rest(const Vector2d& centre, double sink) {
 void Stance::FallByTheCentre(const Vector2d& centre, double sink, double dt_s) {
   bool holds = false;
   for (size_t i = 0; i < 3; ++i) {
-    const auto prop = static_cast<size_t>(plane_.props[i]);
-    holds |= plane_.load[i] > kCarries && prop < depths_.size() && depths_[prop] >= -sink;
+    holds |= plane_.load[i] > kCarries && IsOnGround(plane_.props[i], sink);
   }
   if (!holds) {
     const double falls = std::min(sink, centre_sink_ + kGravity * dt_s * dt_s);
@@ -267,13 +266,17 @@ bool Stance::WarmStart(const Vector2d& centre, std::array<int, 3>& triangle) con
   return *std::min_element(load.begin(), load.end()) >= 0;
 }
 
+/// Whether a prop stands on ground, and not on what gives way as fast as things fall.
+bool Stance::IsOnGround(int prop, double sink) const {
+  const auto point = static_cast<size_t>(prop);
+  return point < depths_.size() && depths_[point] >= -sink;
+}
+
 /// Whether ground carries all of the weight.
 bool Stance::IsHeldUp(double sink) const {
   if (plane_.props[0] < 0) return false;
   for (size_t i = 0; i < 3; ++i) {
-    if (plane_.load[i] <= kCarries) continue;
-    const auto prop = static_cast<size_t>(plane_.props[i]);
-    if (prop >= depths_.size() || depths_[prop] < -sink) return false;
+    if (plane_.load[i] > kCarries && !IsOnGround(plane_.props[i], sink)) return false;
   }
   return true;
 }

@@ -66,6 +66,7 @@ class Stance {
   bool Rest(const Eigen::Vector2d& centre, double sink);
   void FallByTheCentre(const Eigen::Vector2d& centre, double sink, double dt_s);
   bool WarmStart(const Eigen::Vector2d& centre, std::array<int, 3>& triangle) const;
+  bool IsOnGround(int prop, double sink) const;
   bool IsHeldUp(double sink) const;
   double SinkSpeed(double dt_s) const;
   bool Slip(RobotState& state, double dt_s) const;
