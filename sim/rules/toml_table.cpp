@@ -69,6 +69,7 @@ std::string TomlTable::Text(std::string_view key, std::optional<std::string> fal
 
 double TomlTable::Number(std::string_view key, double low, double high,
                          std::optional<double> fallback) const {
+  if (!Has(key) && fallback) return *fallback;
   const double value = Value<double>(key, "a number", fallback);
   if (!(value >= low && value <= high)) {
     Fail(LineOf(key), fmt::format("{} = {}, allowed {} .. {}", key, value, low, high));
@@ -78,6 +79,7 @@ double TomlTable::Number(std::string_view key, double low, double high,
 
 int64_t TomlTable::Integer(std::string_view key, int64_t low, int64_t high,
                            std::optional<int64_t> fallback) const {
+  if (!Has(key) && fallback) return *fallback;
   const int64_t value = Value<int64_t>(key, "a whole number", fallback);
   if (value < low || value > high) {
     Fail(LineOf(key), fmt::format("{} = {}, allowed {} .. {}", key, value, low, high));
@@ -85,11 +87,57 @@ int64_t TomlTable::Integer(std::string_view key, int64_t low, int64_t high,
   return value;
 }
 
+bool TomlTable::Flag(std::string_view key, std::optional<bool> fallback) const {
+  return Value<bool>(key, "true or false", fallback);
+}
+
+std::vector<double> TomlTable::Numbers(std::string_view key, size_t count, double low,
+                                       double high) const {
+  std::vector<double> numbers;
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) return numbers;
+  const toml::array* list = node->as_array();
+  const auto is_good = [low, high](const toml::node& one) {
+    const std::optional<double> value = one.value<double>();
+    return value && *value >= low && *value <= high;
+  };
+  if (list == nullptr || list->size() != count ||
+      !std::all_of(list->begin(), list->end(), is_good)) {
+    Fail(LineOf(key),
+         fmt::format("'{}' has to be a list of {} numbers within {} .. {}", key, count, low, high));
+  }
+  for (const toml::node& one : *list) numbers.push_back(*one.value<double>());
+  return numbers;
+}
+
+size_t TomlTable::Choice(std::string_view key, std::span<const std::string_view> names,
+                         std::optional<size_t> fallback) const {
+  if (!Has(key) && fallback) return *fallback;
+  const std::string name = Text(key);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) {
+    Fail(LineOf(key), fmt::format("{} = '{}' is unknown; did you mean '{}'?", key, name,
+                                  NearestName(name, names)));
+  }
+  return static_cast<size_t>(found - names.begin());
+}
+
 TomlTable TomlTable::Table(std::string_view key) const {
   const toml::node* node = table_.get(key);
   if (node == nullptr) Fail(line(), fmt::format("table [{}] is missing", key));
   if (!node->is_table()) Fail(LineOf(key), fmt::format("'{}' has to be a table: [{}]", key, key));
   return {file_, *node->as_table()};
+}
+
+std::vector<TomlTable> TomlTable::Tables(std::string_view key) const {
+  std::vector<TomlTable> tables;
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) return tables;
+  if (!node->is_array_of_tables()) {
+    Fail(LineOf(key), fmt::format("'{}' has to be a list of tables: [[{}]]", key, key));
+  }
+  for (const toml::node& one : *node->as_array()) tables.emplace_back(file_, *one.as_table());
+  return tables;
 }
 
 template <typename T>

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <toml++/toml.h>
 
@@ -37,8 +38,18 @@ class TomlTable {
                 std::optional<double> fallback = {}) const;
   int64_t Integer(std::string_view key, int64_t low, int64_t high,
                   std::optional<int64_t> fallback = {}) const;
+  bool Flag(std::string_view key, std::optional<bool> fallback = {}) const;
+  /// Numbers in a list, `count` of them, each within low .. high; empty if the key is missing.
+  std::vector<double> Numbers(std::string_view key, size_t count, double low, double high) const;
+  /// Index of the text among `names`; the error names the nearest one.
+  size_t Choice(std::string_view key, std::span<const std::string_view> names,
+                std::optional<size_t> fallback = {}) const;
+
+  bool Has(std::string_view key) const { return table_.contains(key); }
   /// A table of that name, which has to be there.
   TomlTable Table(std::string_view key) const;
+  /// The tables of the list [[key]], none if it is missing.
+  std::vector<TomlTable> Tables(std::string_view key) const;
 
  private:
   template <typename T>

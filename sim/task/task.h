@@ -11,7 +11,7 @@
 #include "sim/disposal/disposal_status.h"
 #include "sim/robot/robot_state.h"
 #include "sim/rules/score_rules.h"
-#include "sim/task/scenario.h"
+#include "sim/scenario/scenario.h"
 #include "sim/world/world_model.h"
 
 namespace eod::sim {

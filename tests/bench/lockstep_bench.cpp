@@ -2,7 +2,7 @@
 
 #include "firmware_emu/script.h"
 #include "lockstep/rig.h"
-#include "sim/task/scenario.h"
+#include "sim/scenario/scenario.h"
 
 namespace {
 

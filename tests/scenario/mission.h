@@ -7,8 +7,8 @@
 
 #include "dbc/box_codec.h"
 #include "lockstep/rig.h"
+#include "sim/scenario/scenario.h"
 #include "sim/state_csv.h"
-#include "sim/task/scenario.h"
 
 namespace eod::lockstep {
 

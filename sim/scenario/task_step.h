@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
-#include <vector>
 
 namespace eod::sim {
+
+class TomlTable;
 
 /// One thing the trainee has to do; complete when its condition holds.
 struct TaskStep {
@@ -34,20 +34,7 @@ struct TaskStep {
   double weight = 1;
 };
 
-/// An exercise: a TOML file.
-struct Scenario {
-  std::filesystem::path file;
-  std::string name;
-  std::string title;
-  int module = 1;
-  double par_time_s = 0;
-  double time_limit_s = 0;  ///< 0: none
-  std::vector<TaskStep> steps;
-  int64_t seed = 0;
-};
-
-/// Reads a scenario. Throws std::runtime_error with one line "FILE:LINE: …": a key that is unknown
-/// (names the nearest known one) or missing, a value of the wrong type or out of range.
-Scenario LoadScenario(const std::filesystem::path& file);
+/// Reads a [[step]]. Throws "FILE:LINE: …".
+TaskStep ReadTaskStep(const TomlTable& table);
 
 }  // namespace eod::sim

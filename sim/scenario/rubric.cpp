@@ -1,0 +1,37 @@
+#include "sim/scenario/rubric.h"
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "sim/rules/toml_table.h"
+
+namespace eod::sim {
+namespace {
+
+constexpr std::array<std::string_view, 6> kRubricKeys = {"steps", "safety",  "precision",
+                                                         "time",  "economy", "pass"};
+
+}  // namespace
+
+Rubric ReadRubric(const TomlTable& table) {
+  table.RejectUnknownKeys(kRubricKeys);
+  Rubric rubric;
+  rubric.steps = table.Number("steps", 0, 100, rubric.steps);
+  rubric.safety = table.Number("safety", 0, 100, rubric.safety);
+  rubric.precision = table.Number("precision", 0, 100, rubric.precision);
+  rubric.time = table.Number("time", 0, 100, rubric.time);
+  rubric.economy = table.Number("economy", 0, 100, rubric.economy);
+  rubric.pass = table.Number("pass", 0, 100, rubric.pass);
+  const double sum = rubric.steps + rubric.safety + rubric.precision + rubric.time + rubric.economy;
+  if (std::abs(sum - 100) > 1e-9) {
+    table.Fail(table.line(), fmt::format("steps, safety, precision, time and economy add up to {}, "
+                                         "allowed 100",
+                                         sum));
+  }
+  return rubric;
+}
+
+}  // namespace eod::sim

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/scenario/control_link_spec.h"
+#include "sim/scenario/fault_spec.h"
+#include "sim/scenario/placement.h"
+#include "sim/scenario/rubric.h"
+#include "sim/scenario/task_step.h"
+#include "sim/world/weather.h"
+
+namespace eod::sim {
+
+/// An exercise: a TOML file.
+struct Scenario {
+  std::filesystem::path file;
+  std::string name;
+  std::string title;
+  int module = 1;
+  int difficulty = 1;  ///< 1 easy .. 5 hard
+  double par_time_s = 0;
+  double time_limit_s = 0;  ///< 0: none
+  Placement start;          ///< of the robot
+  std::vector<Placement> places;
+  Weather weather;
+  ControlLinkSpec link;
+  Rubric rubric;
+  std::vector<TaskStep> steps;
+  std::vector<FaultSpec> faults;
+  int64_t seed = 0;
+};
+
+/// Reads a scenario. Throws std::runtime_error with one line "FILE:LINE: …": a key that is unknown
+/// (names the nearest known one) or missing, a value of the wrong type or out of range.
+Scenario LoadScenario(const std::filesystem::path& file);
+
+}  // namespace eod::sim
