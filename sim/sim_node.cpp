@@ -1,148 +1,9 @@
 #include "sim/sim_node.h"
 
-#include <algorithm>
-#include <limits>
-#include <numbers>
-
 #include "lcmtypes/channels.h"
+#include "sim/message_node.h"
 
 namespace eod::sim {
-namespace {
-
-// The battery is not simulated: a full one, as a 24 V pack rests.
-constexpr double kBatteryVoltage = 25.6;  // [V]
-
-double ToDegrees(double radians) { return radians * (180 / std::numbers::pi); }
-
-/// Writes a point of the module's frame as a point of the world's.
-void PutPoint(const ModuleModel& module, const Eigen::Vector3d& p_M, double* metres) {
-  Eigen::Map<Eigen::Vector3d>{metres} = module.p_WM + p_M;
-}
-
-/// The command in a message that was received at `received`.
-OperatorCommand FromMessage(const box_command_t& message, TimePoint received) {
-  OperatorCommand command;
-  command.sequence = message.sequence;
-  command.stamp = received;
-  command.motion_permitted = message.motion_permitted != 0;
-  command.safe_stop = message.system_state == box_command_t::STATE_SAFE_STOP;
-  std::copy_n(message.motion_rate, kMotionCount, command.motion_rate.begin());
-  command.inhibited = static_cast<MotionSet>(message.inhibit_mask);
-  command.inhibit_reason = message.inhibit_reason;
-  command.speed_range = message.speed_range;
-  command.preset = message.preset;
-  command.fire = {.arm_key = message.arm_key,
-                  .fire_left = message.fire_left,
-                  .fire_right = message.fire_right,
-                  .circuit = message.circuit,
-                  .nonce_echo = message.nonce_echo};
-  command.camera_select = message.camera_select;
-  command.menu_module = message.menu_module;
-  command.menu_command = message.menu_command;
-  return command;
-}
-
-// These fill a message with what the last step found. Poses leave the module's local frame for the
-// world's, radians become degrees.
-
-void Fill(const Simulator& simulator, robot_state_t& message) {
-  const StepResult& result = simulator.last();
-  const RobotState& state = result.state;
-  message.utime = ToUtime(result.time);
-  message.step = result.step;
-  message.module = static_cast<int8_t>(result.module);
-  PutPoint(simulator.module(), state.position, message.position_m);
-  message.heading_deg = ToDegrees(state.attitude.heading);
-  message.pitch_deg = ToDegrees(state.attitude.pitch);
-  message.roll_deg = ToDegrees(state.attitude.roll);
-  message.speed_mps = result.speed;
-  message.turn_rate_dps = ToDegrees(result.turn_rate);
-  for (int j = 0; j < kJointCount; ++j) {
-    message.joint[j] = j == kGripperOpening ? state.joint[j] : ToDegrees(state.joint[j]);
-  }
-  message.limit_flags = static_cast<int16_t>(result.limit_flags);
-  message.inhibit_mask = static_cast<int32_t>(result.inhibited);
-  message.inhibit_reason = static_cast<int8_t>(result.inhibit_reason);
-  message.contact_parts = static_cast<int32_t>(result.contact_parts);
-  const DisposalStatus& disposal = result.disposal;
-  message.grasp_state = static_cast<int8_t>(disposal.grasp);
-  message.held_object =
-      disposal.held_body < 0
-          ? ""
-          : simulator.module().movables[static_cast<size_t>(disposal.held_body)].name;
-  message.fire_state = static_cast<int8_t>(disposal.fire);
-  message.fire_nonce = static_cast<int16_t>(disposal.fire_nonce);
-  message.circuit_continuity = static_cast<int8_t>(disposal.circuit_continuity);
-  message.battery_v = kBatteryVoltage;
-  message.battery_soc = 1;
-  message.command_sequence = result.command_sequence;
-}
-
-void Fill(const Simulator& simulator, mission_status_t& message) {
-  const StepResult& result = simulator.last();
-  const TaskStatus& task = result.task;
-  message.utime = ToUtime(result.time);
-  message.scenario = simulator.scenario().name;
-  message.module = static_cast<int8_t>(result.module);
-  message.state = static_cast<int8_t>(task.state);
-  message.elapsed_s = task.elapsed_s;
-  message.step = static_cast<int8_t>(task.step);
-  message.steps = static_cast<int8_t>(task.steps);
-  message.step_text = simulator.task().step_text();
-  message.score = task.score;
-  message.collisions = task.collisions;
-  message.bomb_state = static_cast<int8_t>(result.disposal.bomb);
-  message.fail_reason = static_cast<int8_t>(task.fail_reason);
-}
-
-void Resize(size_t count, isector_hits_t& message) {
-  message.num_segments = static_cast<int32_t>(count);
-  for (auto* points : {&message.start_m, &message.end_m, &message.point_m, &message.normal}) {
-    points->resize(count, std::vector<double>(3));
-  }
-  for (auto* texts : {&message.isector, &message.method, &message.object}) texts->resize(count);
-  for (auto* numbers : {&message.range_m, &message.threshold_m}) numbers->resize(count);
-  for (auto* numbers : {&message.object_class, &message.triangle}) numbers->resize(count);
-  for (auto* flags : {&message.segment, &message.hit, &message.contact}) flags->resize(count);
-}
-
-/// What segment i met. Without a hit, what has no value is NaN.
-void FillHit(const Simulator& simulator, const SegmentHit& hit, size_t i, isector_hits_t& message) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  const Eigen::Vector3d none = Eigen::Vector3d::Constant(kNone);
-  message.hit[i] = hit.hit ? 1 : 0;
-  message.range_m[i] = hit.hit ? hit.range : kNone;
-  PutPoint(simulator.module(), hit.hit ? hit.point : none, message.point_m[i].data());
-  // The module's axes are the world's.
-  Eigen::Map<Eigen::Vector3d>{message.normal[i].data()} = hit.hit ? hit.normal : none;
-  message.object[i] = simulator.world().ObjectName(hit.hit ? hit.object : -1);
-  message.object_class[i] = hit.hit ? static_cast<int32_t>(hit.object_class) : 0;
-  message.triangle[i] = hit.hit ? hit.triangle : -1;
-}
-
-void Fill(const RobotModel& robot, const Simulator& simulator, isector_hits_t& message) {
-  const std::span<const CastSegment> segments = simulator.isectors().segments();
-  message.utime = ToUtime(simulator.last().time);
-  message.step = simulator.last().step;
-  Resize(segments.size(), message);
-  for (size_t i = 0; i < segments.size(); ++i) {
-    const CastSegment& cast = segments[i];
-    const IsectorSpec& isector = robot.isectors[cast.isector];
-    const SegmentContact& contact = simulator.response().contacts[i];
-    const Eigen::Vector3d p_M = cast.query.start + cast.query.direction * cast.query.length;
-    message.isector[i] = isector.name;
-    message.method[i] = NameOf(isector.method);
-    message.segment[i] = static_cast<int8_t>(cast.segment);
-    PutPoint(simulator.module(), cast.query.start, message.start_m[i].data());
-    PutPoint(simulator.module(), p_M, message.end_m[i].data());
-    FillHit(simulator, cast.hit, i, message);
-    message.threshold_m[i] = contact.threshold;
-    message.contact[i] = contact.contact ? 1 : 0;
-  }
-}
-
-}  // namespace
-
 SimNode::SimNode(const SimNodeConfig& config, const RobotModel& robot, const WorldModel& world,
                  const Scenario& scenario, lcm::LCM& lcm, const Clock& clock)
     : config_(config),
@@ -163,7 +24,7 @@ SimNode::~SimNode() { lcm_.unsubscribe(subscription_); }
 
 void SimNode::OnCommand(const lcm::ReceiveBuffer* /*buffer*/, const std::string& /*channel*/,
                         const box_command_t* message) {
-  command_ = FromMessage(*message, clock_.Now());
+  command_ = ToCommand(*message, clock_.Now());
 }
 
 void SimNode::OnTick(TimePoint scheduled) {

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "eod/box_command_t.hpp"
+#include "eod/isector_hits_t.hpp"
+#include "eod/mission_status_t.hpp"
+#include "eod/robot_state_t.hpp"
+
+#include "sim/simulator.h"
+
+namespace eod::sim {
+
+/// The command in a message that was received at `received`.
+OperatorCommand ToCommand(const box_command_t& message, TimePoint received);
+
+// These fill a message with what the last step found. Poses leave the module's local frame for the
+// world's, radians become degrees. What the simulator does not know is left as it was.
+
+void Fill(const Simulator& simulator, robot_state_t& message);
+void Fill(const Simulator& simulator, mission_status_t& message);
+void Fill(const RobotModel& robot, const Simulator& simulator, isector_hits_t& message);
+
+}  // namespace eod::sim
