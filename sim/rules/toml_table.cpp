@@ -122,6 +122,50 @@ size_t TomlTable::Choice(std::string_view key, std::span<const std::string_view>
   return static_cast<size_t>(found - names.begin());
 }
 
+std::vector<size_t> TomlTable::Choices(std::string_view key,
+                                       std::span<const std::string_view> names) const {
+  std::vector<size_t> choices;
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) return choices;
+  const toml::array* list = node->as_array();
+  if (list == nullptr) Fail(LineOf(key), fmt::format("'{}' has to be a list of texts", key));
+  for (const toml::node& one : *list) {
+    const std::optional<std::string> name = one.value<std::string>();
+    if (!name) Fail(one.source().begin.line, fmt::format("'{}' has to be a list of texts", key));
+    const auto found = std::find(names.begin(), names.end(), *name);
+    if (found == names.end()) {
+      Fail(one.source().begin.line, fmt::format("{}: '{}' is unknown; did you mean '{}'?", key,
+                                                *name, NearestName(*name, names)));
+    }
+    choices.push_back(static_cast<size_t>(found - names.begin()));
+  }
+  return choices;
+}
+
+std::vector<Eigen::Vector2d> TomlTable::Points(std::string_view key, size_t least, double low,
+                                               double high) const {
+  std::vector<Eigen::Vector2d> points;
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) Fail(line(), fmt::format("key '{}' is missing", key));
+  const toml::array* list = node->as_array();
+  const auto fail = [&](unsigned line) {
+    Fail(line, fmt::format("'{}' has to be a list of at least {} points [x, y] within {} .. {}",
+                           key, least, low, high));
+  };
+  if (list == nullptr || list->size() < least) fail(LineOf(key));
+  for (const toml::node& one : *list) {
+    const toml::array* pair = one.as_array();
+    if (pair == nullptr || pair->size() != 2) fail(one.source().begin.line);
+    Eigen::Vector2d& point = points.emplace_back();
+    for (size_t axis = 0; axis < 2; ++axis) {
+      const std::optional<double> value = pair->get(axis)->value<double>();
+      if (!value || !(*value >= low && *value <= high)) fail(one.source().begin.line);
+      point[static_cast<Eigen::Index>(axis)] = *value;
+    }
+  }
+  return points;
+}
+
 TomlTable TomlTable::Table(std::string_view key) const {
   const toml::node* node = table_.get(key);
   if (node == nullptr) Fail(line(), fmt::format("table [{}] is missing", key));

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include <Eigen/Core>
 #include <toml++/toml.h>
 
 namespace eod::sim {
@@ -44,6 +45,11 @@ class TomlTable {
   /// Index of the text among `names`; the error names the nearest one.
   size_t Choice(std::string_view key, std::span<const std::string_view> names,
                 std::optional<size_t> fallback = {}) const;
+  /// Indices of the texts of a list; empty if the key is missing.
+  std::vector<size_t> Choices(std::string_view key, std::span<const std::string_view> names) const;
+  /// Points of a list of [x, y], at least `least`, each number within low .. high.
+  std::vector<Eigen::Vector2d> Points(std::string_view key, size_t least, double low,
+                                      double high) const;
 
   bool Has(std::string_view key) const { return table_.contains(key); }
   /// A table of that name, which has to be there.

@@ -20,6 +20,7 @@ Placement ReadPlacement(const TomlTable& table, bool names_object) {
   table.RejectUnknownKeys(keys);
   Placement place;
   if (names_object) place.object = table.Text("object");
+  place.line = table.LineOf("object");
   const std::vector<double> position = table.Numbers("position_m", 3, -kMaxLength, kMaxLength);
   if (!position.empty()) place.position = Eigen::Vector3d(position.data());
   if (table.Has("heading_deg")) {

@@ -18,6 +18,9 @@ struct Placement {
   std::optional<double> heading;            ///< [rad] none: as the world has it
   /// How far a repetition may move it either way, evenly: x, y [m], heading [rad].
   Eigen::Vector3d spread = Eigen::Vector3d::Zero();
+  /// How far this repetition has moved it: x, y [m], heading [rad]. Not from the file, see Vary.
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  unsigned line = 0;  ///< of the file, for errors; 0: unknown
   bool operator==(const Placement&) const = default;
 };
 

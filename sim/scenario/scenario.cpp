@@ -8,19 +8,60 @@
 namespace eod::sim {
 namespace {
 
-constexpr std::array<std::string_view, 14> kScenarioKeys = {
-    "name", "title", "module",  "difficulty", "par_time_s", "time_limit_s", "seed",
-    "step", "start", "weather", "link",       "score",      "place",        "fault"};
-constexpr std::array<std::string_view, 3> kWeatherKeys = {"light", "visibility_m", "rain_mm_per_h"};
+constexpr std::array<std::string_view, 16> kScenarioKeys = {
+    "name", "title", "module",  "difficulty", "par_time_s", "time_limit_s", "seed",  "critical",
+    "step", "start", "weather", "link",       "score",      "place",        "fault", "area"};
+constexpr std::array<std::string_view, 4> kWeatherKeys = {"light", "lights", "visibility_m",
+                                                          "rain_mm_per_h"};
 constexpr std::array<std::string_view, 3> kLights = {"day", "dusk", "night"};  // as the enum
 
-constexpr double kMaxTime = 86400;  // [s]
+constexpr double kMaxTime = 86400;   // [s]
+constexpr double kMaxLength = 3000;  // [m] the whole world
 
-Weather ReadWeather(const TomlTable& table) {
+/// What may end an exercise beside its time limit, and at the instructor's word.
+struct CriticalName {
+  std::string_view name;
+  FailReason reason;
+};
+constexpr std::array kCritical = {CriticalName{"detonation", FailReason::kExploded},
+                                  CriticalName{"rollover", FailReason::kRollover},
+                                  CriticalName{"out_of_area", FailReason::kOutOfArea},
+                                  CriticalName{"link_lost", FailReason::kLinkLost},
+                                  CriticalName{"estop", FailReason::kEstop},
+                                  CriticalName{"bomb_lost", FailReason::kBombLost},
+                                  CriticalName{"wrong_order", FailReason::kWrongOrder}};
+
+FailReasons ReadCritical(const TomlTable& table) {
+  std::array<std::string_view, kCritical.size()> names;
+  FailReasons critical = kEveryReason;
+  for (size_t i = 0; i < kCritical.size(); ++i) {
+    names[i] = kCritical[i].name;
+    critical &= ~SetOf(kCritical[i].reason);
+  }
+  for (const size_t choice : table.Choices("critical", names)) {
+    critical |= SetOf(kCritical[choice].reason);
+  }
+  return critical;
+}
+
+void ReadWeather(const TomlTable& table, Scenario& scenario) {
   table.RejectUnknownKeys(kWeatherKeys);
-  return {.light = static_cast<Weather::Light>(table.Choice("light", kLights, 0)),
-          .visibility = table.Number("visibility_m", 5, 10000, 0.0),
-          .rain = table.Number("rain_mm_per_h", 0, 50, 0.0)};
+  if (table.Has("light") && table.Has("lights")) {
+    table.Fail(table.LineOf("lights"), "either light or lights");
+  }
+  for (const size_t light : table.Choices("lights", kLights)) {
+    scenario.lights.push_back(static_cast<Weather::Light>(light));
+  }
+  const size_t first = scenario.lights.empty() ? 0 : static_cast<size_t>(scenario.lights.front());
+  scenario.weather = {.light = static_cast<Weather::Light>(table.Choice("light", kLights, first)),
+                      .visibility = table.Number("visibility_m", 5, 10000, 0.0),
+                      .rain = table.Number("rain_mm_per_h", 0, 50, 0.0)};
+}
+
+std::vector<Eigen::Vector2d> ReadArea(const TomlTable& table) {
+  constexpr std::array<std::string_view, 1> kAreaKeys = {"corners_m"};
+  table.RejectUnknownKeys(kAreaKeys);
+  return table.Points("corners_m", 3, -kMaxLength, kMaxLength);
 }
 
 }  // namespace
@@ -38,8 +79,10 @@ Scenario LoadScenario(const std::filesystem::path& file) {
   scenario.par_time_s = table.Number("par_time_s", 0, kMaxTime, 0.0);
   scenario.time_limit_s = table.Number("time_limit_s", 0, kMaxTime, 0.0);
   scenario.seed = table.Integer("seed", INT64_MIN, INT64_MAX, 0);
+  if (table.Has("critical")) scenario.critical = ReadCritical(table);
+  if (table.Has("area")) scenario.area = ReadArea(table.Table("area"));
   if (table.Has("start")) scenario.start = ReadPlacement(table.Table("start"), false);
-  if (table.Has("weather")) scenario.weather = ReadWeather(table.Table("weather"));
+  if (table.Has("weather")) ReadWeather(table.Table("weather"), scenario);
   if (table.Has("link")) scenario.link = ReadControlLinkSpec(table.Table("link"));
   if (table.Has("score")) scenario.rubric = ReadRubric(table.Table("score"));
   for (const TomlTable& place : table.Tables("place")) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/scenario/control_link_spec.h"
+#include "sim/scenario/fail_reason.h"
 #include "sim/scenario/fault_spec.h"
 #include "sim/scenario/placement.h"
 #include "sim/scenario/rubric.h"
@@ -25,12 +26,18 @@ struct Scenario {
   double time_limit_s = 0;  ///< 0: none
   Placement start;          ///< of the robot
   std::vector<Placement> places;
+  /// Corners of the polygon that robot and charges must not leave: local x, y [m]; none: the
+  /// module's area.
+  std::vector<Eigen::Vector2d> area;
+  FailReasons critical = kEveryReason;  ///< which failures end the exercise
   Weather weather;
+  std::vector<Weather::Light> lights;  ///< a repetition has one of them; none: weather.light
   ControlLinkSpec link;
   Rubric rubric;
   std::vector<TaskStep> steps;
   std::vector<FaultSpec> faults;
   int64_t seed = 0;
+  uint64_t repetition = 0;  ///< Not from the file, see Vary.
 };
 
 /// Reads a scenario. Throws std::runtime_error with one line "FILE:LINE: …": a key that is unknown

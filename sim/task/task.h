@@ -19,15 +19,6 @@ namespace eod::sim {
 /// Numbers of ROB_STATUS.MissionState.
 enum class MissionState : int8_t { kIdle, kBrief, kRun, kSuccess, kFail, kAbort };
 
-/// Numbers of ROB_MISSION.FailReason.
-enum class FailReason : int8_t {
-  kNone = 0,
-  kExploded = 1,
-  kTimeOut = 2,
-  kRollover = 3,
-  kBombLost = 8
-};
-
 struct TaskStatus {
   MissionState state = MissionState::kIdle;
   double elapsed_s = 0;  ///< simulated time since the start
