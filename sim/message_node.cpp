@@ -62,6 +62,7 @@ OperatorCommand ToCommand(const box_command_t& message, TimePoint received) {
                   .nonce_echo = message.nonce_echo};
   command.camera_select = message.camera_select;
   command.menu_module = message.menu_module;
+  command.menu_exercise = message.menu_exercise;
   command.menu_command = message.menu_command;
   return command;
 }

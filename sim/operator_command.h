@@ -18,6 +18,7 @@ enum InhibitReason : int {
   kReasonJointLimit = 2,
   kReasonConflict = 3,
   kReasonLinkLoss = 5,
+  kReasonEstop = 6,
   kReasonPayload = 7,
   kReasonTilt = 8,
   kReasonNotReady = 10,
@@ -40,6 +41,7 @@ struct OperatorCommand {
   FirePanel fire;
   int camera_select = 1;  ///< 0 quad, 1 drive, 2 gripper, 3 mast, 4 rear
   int menu_module = 0;    ///< 0 none, 1 flat .. 5 indoor
+  int menu_exercise = 0;  ///< 1..15 which of the module, 0 the one that is loaded
   int menu_command = 0;   ///< MenuCommand; acts when it changes
 };
 

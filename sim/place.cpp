@@ -1,35 +1,26 @@
 #include "sim/place.h"
 
+#include <algorithm>
+
 #include "sim/all_modules.h"
 #include "sim/simulator.h"
 
 namespace eod::sim {
-namespace {
-
-/// The scenario's own module has its steps; any other one is free driving.
-Scenario ScenarioIn(const ModuleModel& module, const Scenario& scenario) {
-  if (module.id == scenario.module) return scenario;
-  Scenario free_driving;
-  free_driving.file = scenario.file;
-  free_driving.module = module.id;
-  return free_driving;
-}
-
-}  // namespace
 
 Place::Place(RobotModel& robot, int probe, const WorldModel& all, const ModuleModel& model,
-             const Scenario& scenario, const SimulatorConfig& config)
+             const SimulatorConfig& config)
     : world(config.rules.module_masks ? model : WithAllModules(all, model)),
       isectors(robot, model.class_bit, config.coverage, config.rules),
       support(robot, model.class_bit, Coverage::kPaper,
               {.module_masks = config.rules.module_masks}),
       stance(robot, config.rules.module_masks ? model.class_bit : kAnyModule),
       bodies(model, robot),
-      disposal(robot, probe, model, config.exercise, config.grasp,
-               static_cast<uint64_t>(scenario.seed)),
-      task(ScenarioIn(model, scenario), model, config.exercise.score),
+      disposal(robot, probe, model, config.exercise, config.grasp),
+      task({}, model, config.exercise.score),
       module_(model),
-      probe_(probe) {
+      robot_(robot),
+      probe_(probe),
+      rules_(config.exercise) {
   hidden_.assign(model.movables.size(), 0);
   const int movables = static_cast<int>(model.movables.size());
   for (int object = 0; object < world.ObjectOfMovable(movables); ++object) {
@@ -38,9 +29,45 @@ Place::Place(RobotModel& robot, int probe, const WorldModel& all, const ModuleMo
   for (const MovableObject& movable : model.movables) poses_.push_back(movable.X_MO);
 }
 
+void Place::Check(const Scenario& scenario) const {
+  CheckPlaces(scenario, module_);
+  const Task fits(scenario, module_, rules_.score);
+}
+
+void Place::Load(const Scenario& scenario) {
+  start_ = StartOf(scenario, module_);
+  seed_ = static_cast<uint64_t>(scenario.seed);
+  for (size_t i = 0; i < module_.movables.size(); ++i) {
+    const MovableObject& movable = module_.movables[i];
+    const auto place =
+        std::find_if(scenario.places.begin(), scenario.places.end(),
+                     [&](const Placement& one) { return one.object == movable.name; });
+    std::optional<Eigen::Isometry3d> X_MO;
+    if (place != scenario.places.end()) X_MO = StartOf(movable, *place);
+    bodies.SetStart(static_cast<int>(i), X_MO);
+  }
+  task = Task(scenario, module_, rules_.score, rules_.critical);
+  Reset();
+}
+
+StartPose Place::Start() {
+  if (!start_.is_given) return start_;
+  SegmentQuery query;
+  query.start = start_.p_M + robot_.step_up_limit * Eigen::Vector3d::UnitZ();
+  query.direction = -Eigen::Vector3d::UnitZ();
+  query.length = robot_.step_up_limit + robot_.fall_search;
+  query.class_mask = module_.class_bit | kClampProxy;
+  query.hit_rule = HitRule::kNearest;
+  SegmentHit hit;
+  world.Cast({&query, 1}, {&hit, 1}, memory_);
+  StartPose on_ground = start_;
+  if (hit.hit) on_ground.p_M.z() = hit.point.z();
+  return on_ground;
+}
+
 void Place::Reset() {
   bodies.Reset();
-  disposal.Reset();
+  disposal.Reset(seed_);
   isectors.Reload(probe_);
   task.Reset();
   stance.Reset();

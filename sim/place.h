@@ -5,6 +5,7 @@
 #include "sim/bodies/rigid_bodies.h"
 #include "sim/disposal/disposal.h"
 #include "sim/isectors/isector_set.h"
+#include "sim/placing.h"
 #include "sim/stance/stance.h"
 #include "sim/task/task.h"
 #include "sim/world/built_world.h"
@@ -17,12 +18,19 @@ struct SimulatorConfig;
 /// the robot's senses there.
 class Place {
  public:
-  /// `robot` and `model` must outlive it; `probe` as Disposal has it. Throws as Task does.
+  /// `robot` and `model` must outlive it; `probe` as Disposal has it. Nothing is to be done here
+  /// until an exercise is loaded.
   Place(RobotModel& robot, int probe, const WorldModel& all, const ModuleModel& model,
-        const Scenario& scenario, const SimulatorConfig& config);
+        const SimulatorConfig& config);
 
-  /// Everything where it was at the start.
-  void Reset();
+  /// Throws std::runtime_error "FILE:LINE: …" unless the scenario can be loaded here.
+  void Check(const Scenario& scenario) const;
+
+  /// An exercise that Check has passed, from its start.
+  void Load(const Scenario& scenario);
+
+  /// Where the robot begins: on the ground nearest below a step above the scenario's start.
+  StartPose Start();
 
   /// Carries out what disposal ordered, advances the bodies with the robot's links at `X_ML`, and
   /// has the world follow them.
@@ -42,11 +50,17 @@ class Place {
   Task task;
 
  private:
+  void Reset();
   void ObeyOrders();
   void FollowBodies();
 
   const ModuleModel& module_;
+  const RobotModel& robot_;
   int probe_;
+  Rules rules_;
+  StartPose start_;
+  uint64_t seed_ = 0;
+  CastMemory memory_;
   std::vector<int> movable_of_object_;
   std::vector<Eigen::Isometry3d> poses_;  ///< where the world has each movable ...
   std::vector<char> hidden_;              ///< ... unless it meets nothing

@@ -30,6 +30,7 @@ Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Sce
       payload_(robot_),
       alarm_rules_(config.exercise.tilt),
       explosion_(config.exercise.explosion),
+      menu_(scenario, config.catalogue),
       start_asked_(config.start_mission) {
   using std::chrono::milliseconds;
   if (config.period < milliseconds(1) || config.period > milliseconds(20)) {
@@ -43,8 +44,9 @@ Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Sce
                                          scenario.module, world.file.string()));
   }
   for (const ModuleModel& module : world.modules) {
-    places_.push_back(std::make_unique<Place>(robot_, probe_, world, module, scenario, config));
+    places_.push_back(std::make_unique<Place>(robot_, probe_, world, module, config));
   }
+  CheckExercises();
   result_.alarm_changes.reserve(16);
   // Every list grows to its full length now, so that no step has to allocate.
   for (const auto& place : places_) {
@@ -56,14 +58,23 @@ Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Sce
   for (const IsectorSpec& isector : robot_.isectors) lines += isector.segments.size();
   response_.contacts.reserve(lines);
   response_.held.reserve(lines);
-  EnterModule(scenario.module);
+  Enter(scenario);
+}
+
+void Simulator::CheckExercises() const {
+  PlaceOf(scenario_.module)->Check(scenario_);
+  for (const Scenario& scenario : menu_.catalogue()) {
+    const Place* place = PlaceOf(scenario.module);
+    if (place != nullptr) place->Check(scenario);
+  }
 }
 
 const StepResult& Simulator::Step(TimePoint now, const OperatorCommand& command) {
   ++result_.step;
   result_.time = now;
+  ObeyInstructor();
   ObeyMenu(command);
-  const Wish wish = paused_ ? Wish{} : WishOf(command, now, config_.command_timeout);
+  const Wish wish = Hear(command, now);
   const MotionDemand wanted = Want(wish);
   const Inhibition inhibition = Inhibit(wanted);
   const uint32_t contacts_before = result_.contact_parts;
@@ -79,54 +90,16 @@ const StepResult& Simulator::Step(TimePoint now, const OperatorCommand& command)
   Dispose(command);
   Report(command, wish, inhibition);
   UpdateAlarms(wish.demand.commanded, inhibition);
-  UpdateTask(contacts_before);
+  UpdateTask(contacts_before, command);
   return result_;
-}
-
-/// A menu command acts once, when it appears. A module that this world lacks is no reason to fail:
-/// the mission starts where the robot is.
-void Simulator::ObeyMenu(const OperatorCommand& command) {
-  if (command.menu_command == last_menu_command_) return;
-  last_menu_command_ = command.menu_command;
-  switch (command.menu_command) {
-    case kMenuStart:
-      EnterModule(command.menu_module);
-      start_asked_ = true;
-      paused_ = false;
-      break;
-    case kMenuPause:
-      paused_ = true;
-      break;
-    case kMenuResume:
-      paused_ = false;
-      break;
-    case kMenuReset:
-      EnterModule(place_->module().id);
-      paused_ = false;
-      break;
-    case kMenuEnd:
-      end_asked_ = true;
-      paused_ = false;
-      break;
-    default:
-      break;
-  }
-}
-
-void Simulator::EnterModule(int id) {
-  for (const auto& place : places_) {
-    if (place->module().id != id) continue;
-    place_ = place.get();
-    place_->Reset();
-    explosion_.Reset();
-    StandAtStart();
-  }
 }
 
 void Simulator::StandAtStart() {
   result_.module = place_->module().id;
   result_.state = HomeState(robot_);
-  result_.state.attitude = place_->module().start_attitude;
+  const StartPose start = place_->Start();
+  result_.state.position = start.p_M;
+  result_.state.attitude = start.attitude;
   result_.contact_parts = 0;
   response_.held.clear();
   drives_.HaltAll();

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "platform/time.h"
 #include "sim/alarms/alarm_rules.h"
 #include "sim/alarms/alarm_table.h"
+#include "sim/instructor_command.h"
 #include "sim/isectors/isector_set.h"
 #include "sim/motion/drives.h"
 #include "sim/motion/payload.h"
@@ -16,6 +18,7 @@
 #include "sim/plume/explosion.h"
 #include "sim/response/response.h"
 #include "sim/robot/robot_model.h"
+#include "sim/scenario/exercise_menu.h"
 #include "sim/stance/flipper_bearing.h"
 #include "sim/stance/tilt_guard.h"
 #include "sim/world/world_model.h"
@@ -30,6 +33,9 @@ struct SimulatorConfig {
   GraspMode grasp = GraspMode::kGuarded;
   Rules exercise = {};         ///< as LoadRules gives them; they must be loaded
   bool start_mission = false;  ///< the mission runs from the first step, without the menu
+  /// What menu and instructor can choose, as LoadCatalogue sorts it. Of modules that the world
+  /// lacks there may be some.
+  std::vector<Scenario> catalogue = {};
 };
 
 /// What one step found; copyable, and equal in two runs of the same inputs.
@@ -56,8 +62,9 @@ struct StepResult {
 /// The simulator of one robot in one world. Pure: no socket, clock or thread inside.
 class Simulator {
  public:
-  /// `world` must outlive the simulator; the robot is copied. Throws std::runtime_error for a
-  /// scenario that does not fit the world, a period that is out of range, or rules that nobody
+  /// `world` must outlive the simulator; the robot is copied. The scenario is one that Vary has
+  /// made; spreads are not looked at. Throws std::runtime_error for a scenario that does not fit
+  /// the world, one of the catalogue too, a period that is out of range, or rules that nobody
   /// loaded.
   Simulator(const RobotModel& robot, const WorldModel& world, const Scenario& scenario,
             const SimulatorConfig& config);
@@ -68,9 +75,14 @@ class Simulator {
   /// allocates nothing, unless a menu command enters a module: its bodies are made anew.
   const StepResult& Step(TimePoint now, const OperatorCommand& command);
 
+  /// Is obeyed in the next step. False if there is no exercise of that name: then nothing of it is,
+  /// but the emergency stop.
+  bool Instruct(const InstructorCommand& command);
+
   const StepResult& last() const { return result_; }
   const AlarmTable& alarms() const { return alarms_; }
   const Task& task() const { return place_->task; }
+  /// The exercise that is loaded; without a name it is free driving.
   const Scenario& scenario() const { return scenario_; }
   const ModuleModel& module() const { return place_->module(); }
   const World& world() const { return place_->world; }
@@ -84,8 +96,13 @@ class Simulator {
   const Response& response() const { return response_; }
 
  private:
+  void CheckExercises() const;
+  void ObeyInstructor();
   void ObeyMenu(const OperatorCommand& command);
-  void EnterModule(int id);
+  void Obey(int menu_command);
+  void Enter(const Scenario& scenario);
+  Place* PlaceOf(int module) const;
+  Wish Hear(const OperatorCommand& command, TimePoint now) const;
   void StandAtStart();
   /// Why motions of this step may not be, apart from contacts.
   struct Inhibition {
@@ -106,7 +123,8 @@ class Simulator {
   Load HeldLoad() const;
   void Dispose(const OperatorCommand& command);
   void UpdateAlarms(MotionSet wished, const Inhibition& inhibition);
-  void UpdateTask(uint32_t contacts_before);
+  void UpdateTask(uint32_t contacts_before, const OperatorCommand& command);
+  bool SeesObject(int camera_select);
   void Report(const OperatorCommand& command, const Wish& wish, const Inhibition& inhibition);
 
   RobotModel robot_;  ///< with the lines of what the hand holds
@@ -128,9 +146,14 @@ class Simulator {
   MotionSet driven_ = 0;  ///< drive motions that acted in the last Move
   StepResult result_;
   std::vector<Eigen::Isometry3d> link_poses_;  ///< of result_.state
+  ExerciseMenu menu_;
+  std::optional<InstructorCommand> instructed_;  ///< and not obeyed yet
+  CastMemory sight_;
   int last_menu_command_ = kMenuNone;
   bool start_asked_ = false;  ///< of the mission, in this step
   bool end_asked_ = false;
+  bool instructor_ends_ = false;
+  bool estopped_ = false;  ///< by the instructor
   bool paused_ = false;
 };
 

@@ -1,6 +1,8 @@
+#include <array>
 #include <utility>
 
 #include "sim/look_ahead.h"
+#include "sim/sight.h"
 #include "sim/simulator.h"
 
 namespace eod::sim {
@@ -52,7 +54,33 @@ void Simulator::UpdateAlarms(MotionSet wished, const Inhibition& inhibition) {
   alarm_rules_.Update(inputs, alarms_, result_.alarm_changes);
 }
 
-void Simulator::UpdateTask(uint32_t contacts_before) {
+/// Whether the object of an inspect step is in a picture that the operator has before him.
+bool Simulator::SeesObject(int camera_select) {
+  const std::optional<InspectedObject> inspected = place_->task.inspected();
+  if (!inspected) return false;
+  const TaskStep& step = *inspected->step;
+  const Eigen::Isometry3d& X_MO = inspected->movable < 0
+                                      ? inspected->X_MO
+                                      : place_->poses()[static_cast<size_t>(inspected->movable)];
+  const Sight sight{.p_M = X_MO * step.point.value_or(Eigen::Vector3d::Zero()),
+                    .distance = step.distance,
+                    .object = step.point ? std::string_view() : std::string_view(step.object)};
+  constexpr std::array<std::string_view, 5> kNames = {"quad", "drive", "gripper", "mast", "rear"};
+  for (int camera = 1; camera < static_cast<int>(kNames.size()); ++camera) {
+    const bool is_shown = camera_select == 0 || camera_select == camera;
+    const bool is_meant = step.camera == 0 || step.camera == camera;
+    if (!is_shown || !is_meant) continue;
+    for (const CameraSpec& spec : robot_.cameras) {
+      if (spec.name == kNames[static_cast<size_t>(camera)] &&
+          Sees(spec, link_poses_, place_->world, sight, sight_)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void Simulator::UpdateTask(uint32_t contacts_before, const OperatorCommand& command) {
   // How far ahead things are is asked of a robot that stands.
   const bool stands = StandsStill(result_.speed, result_.turn_rate);
   const Ahead ahead =
@@ -79,6 +107,12 @@ void Simulator::UpdateTask(uint32_t contacts_before) {
   }
   inputs.forward_clearance = ahead.clearance;
   inputs.forward_object = place_->world.ObjectName(ahead.object);
+  inputs.estopped = estopped_;
+  inputs.ended_by_instructor = std::exchange(instructor_ends_, false);
+  const bool was_heard = command.stamp != TimePoint{};
+  const Duration silence = result_.time - command.stamp;
+  if (was_heard && silence >= config_.command_timeout) inputs.link_lost_s = ToSeconds(silence);
+  inputs.sees_object = SeesObject(command.camera_select);
   inputs.disposal = &result_.disposal;
   inputs.movables = place_->poses();
   const TaskStatus before = result_.task;

@@ -45,7 +45,11 @@ RigidBodies::Engine::Engine(const ModuleModel& module, const RobotModel& robot)
       ground_meshes_{GroundMesh(module.triangles, GroundMesh::Kind::kFloors),
                      GroundMesh(module.triangles, GroundMesh::Kind::kWalls)},
       links_(robot) {
-  for (MovableObject& object : objects_) object.visuals.clear();
+  for (MovableObject& object : objects_) {
+    object.visuals.clear();
+    X_MO_module_.push_back(object.X_MO);
+  }
+  settles_.assign(objects_.size(), 0);
   space_.dispatcher.setNearCallback(MeetUnlessHeld);
   bodies_.reserve(objects_.size());
   Reset();
@@ -116,7 +120,14 @@ void RigidBodies::Engine::Reset() {
   for (size_t i = 0; i < bodies_.size(); ++i) {
     states_[i].X_MO = objects_[i].X_MO;
     UpdateBox(i);
+    if (settles_[i] != 0) Wake(i);
   }
+}
+
+void RigidBodies::Engine::SetStart(int body, const std::optional<Isometry3d>& X_MO) {
+  const auto index = static_cast<size_t>(body);
+  objects_[index].X_MO = X_MO.value_or(X_MO_module_[index]);
+  settles_[index] = X_MO ? 1 : 0;
 }
 
 void RigidBodies::Engine::Step(double dt_s, std::span<const Isometry3d> X_ML) {

@@ -22,6 +22,7 @@ class RigidBodies::Engine {
   Engine& operator=(const Engine&) = delete;
 
   void Reset();
+  void SetStart(int body, const std::optional<Eigen::Isometry3d>& X_MO);
   void Step(double dt_s, std::span<const Eigen::Isometry3d> X_ML);
   std::span<const BodyState> states() const { return states_; }
 
@@ -57,7 +58,9 @@ class RigidBodies::Engine {
   void Wake(size_t body);
 
   BulletSpace space_;
-  std::vector<MovableObject> objects_;
+  std::vector<MovableObject> objects_;          ///< as they start
+  std::vector<Eigen::Isometry3d> X_MO_module_;  ///< where the module has them
+  std::vector<char> settles_;                   ///< it was placed elsewhere
   std::array<GroundMesh, 2> ground_meshes_;
   LinkBodies links_;
   std::vector<std::unique_ptr<btRigidBody>> ground_;

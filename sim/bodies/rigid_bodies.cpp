@@ -11,6 +11,10 @@ RigidBodies::~RigidBodies() = default;
 
 void RigidBodies::Reset() { engine_->Reset(); }
 
+void RigidBodies::SetStart(int body, const std::optional<Eigen::Isometry3d>& X_MO) {
+  engine_->SetStart(body, X_MO);
+}
+
 void RigidBodies::Step(double dt_s, std::span<const Eigen::Isometry3d> X_ML) {
   engine_->Step(dt_s, X_ML);
 }

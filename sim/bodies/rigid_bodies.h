@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -35,6 +36,10 @@ class RigidBodies {
 
   /// Everything back to the start.
   void Reset();
+
+  /// From the next Reset on the body starts there, and settles on what is below it; without a pose,
+  /// where the module has it.
+  void SetStart(int body, const std::optional<Eigen::Isometry3d>& X_MO);
 
   /// Advances by dt, with the robot's links moving to `X_ML` meanwhile. Costs next to nothing while
   /// all is at rest and the robot is not near.

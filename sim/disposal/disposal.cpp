@@ -36,12 +36,12 @@ Disposal::Disposal(RobotModel& robot, int probe, const ModuleModel& module, cons
   Reset();
 }
 
-void Disposal::Reset() {
+void Disposal::Reset(uint64_t seed) {
   grasp_.Reset();
   pressing_.Reset();
   push_.Reset();
   watch_.Reset();
-  circuit_.Reset();
+  circuit_.Reset(seed);
   FoldHeldProbe(robot_.isectors[probe_]);
   X_MG_before_.reset();
   closing_age_ = rules_.grasp.close_memory + 1;

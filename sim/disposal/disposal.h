@@ -75,7 +75,8 @@ class Disposal {
            GraspMode mode, uint64_t seed = 0);
 
   /// The module is entered anew. IsectorSet::Reload(probe) has to follow.
-  void Reset();
+  void Reset() { Reset(circuit_.seed()); }
+  void Reset(uint64_t seed);
 
   /// After Respond, before the motion. Adds to `response` that a hand whose pad is pressed through
   /// stops closing. Decides grasps, squeezing and strikes against a vessel.

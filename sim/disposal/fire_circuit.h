@@ -18,8 +18,11 @@ namespace eod::sim {
 class FireCircuit {
  public:
   FireCircuit(const DisrupterRules& rules, uint64_t seed) : rules_(rules), seed_(seed) {}
+  uint64_t seed() const { return seed_; }
   /// All cartridges are new.
-  void Reset() { *this = FireCircuit(rules_, seed_); }
+  void Reset() { Reset(seed_); }
+  /// With nonces of another seed.
+  void Reset(uint64_t seed) { *this = FireCircuit(rules_, seed); }
 
   /// Whether a shot is fired in this step. `step` makes the nonce differ between armings.
   bool Advance(const FirePanel& panel, bool robot_is_still, int64_t step, double dt_s);

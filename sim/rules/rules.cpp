@@ -11,8 +11,8 @@ namespace eod::sim {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr std::array<std::string_view, 7> kTables = {"tilt",      "grasp",     "charge", "vessel",
-                                                     "disrupter", "explosion", "score"};
+constexpr std::array<std::string_view, 8> kTables = {
+    "tilt", "grasp", "charge", "vessel", "disrupter", "explosion", "score", "critical"};
 
 TiltRules ReadTilt(const TomlTable& table) {
   constexpr std::array<std::string_view, 2> kKeys = {"alarm_deg", "rollover_deg"};
@@ -30,6 +30,13 @@ ScoreRules ReadScore(const TomlTable& table) {
           .touch_memory = table.Number("touch_memory_s", 0, 60)};
 }
 
+CriticalRules ReadCritical(const TomlTable& table) {
+  constexpr std::array<std::string_view, 2> kKeys = {"link_lost_s", "bomb_below_m"};
+  table.RejectUnknownKeys(kKeys);
+  return {.link_lost = table.Number("link_lost_s", 0.5, 3600),
+          .bomb_below = table.Number("bomb_below_m", -1000, 0)};
+}
+
 }  // namespace
 
 Rules LoadRules(const std::filesystem::path& file) {
@@ -43,7 +50,8 @@ Rules LoadRules(const std::filesystem::path& file) {
           .vessel = ReadVessel(table.Table("vessel")),
           .disrupter = ReadDisrupter(table.Table("disrupter")),
           .explosion = ReadExplosion(table.Table("explosion")),
-          .score = ReadScore(table.Table("score"))};
+          .score = ReadScore(table.Table("score")),
+          .critical = ReadCritical(table.Table("critical"))};
 }
 
 }  // namespace eod::sim

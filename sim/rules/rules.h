@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "sim/rules/critical_rules.h"
 #include "sim/rules/disposal_rules.h"
 #include "sim/rules/explosion_rules.h"
 #include "sim/rules/score_rules.h"
@@ -25,6 +26,7 @@ struct Rules {
   DisrupterRules disrupter;
   ExplosionRules explosion;
   ScoreRules score;
+  CriticalRules critical;
 };
 
 /// Reads and checks the rules. Throws std::runtime_error with one line "FILE:LINE: …".

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+
+#include <Eigen/Core>
 
 namespace eod::sim {
 
@@ -22,6 +25,7 @@ struct TaskStep {
     kClimb,          ///< origin at least `distance` high, within `tolerance` of (x, y)
     kHoldStill,      ///< stand still for `time`, tilted by at least `tilt`
     kRetreat,        ///< origin at least `distance` from `object`, as seen on the map
+    kInspect,        ///< see `object` by a camera that is shown, for `time`
   };
   Kind kind = Kind::kContact;
   std::string object;
@@ -30,8 +34,14 @@ struct TaskStep {
   double x = 0, y = 0;   ///< [m] local
   double time = 0;       ///< [s]
   double tilt = 0;       ///< [rad] between the robot's and the world's vertical
-  std::string text;      ///< for the trainee
+  /// Of inspect: what to see in the object's frame [m]; none: its origin, which its own surface
+  /// does not hide.
+  std::optional<Eigen::Vector3d> point;
+  int camera = 0;       ///< of inspect: 1 drive, 2 gripper, 3 mast, 4 rear; 0 any
+  bool strict = false;  ///< done before its turn, it ends the exercise
+  std::string text;     ///< for the trainee
   double weight = 1;
+  unsigned line = 0;  ///< of the file, for errors; 0: unknown
 };
 
 /// Reads a [[step]]. Throws "FILE:LINE: …".

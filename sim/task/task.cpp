@@ -50,8 +50,12 @@ bool StandsStill(double speed, double turn_rate) {
   return std::abs(speed) < kStillSpeed && std::abs(turn_rate) < kStillSpeed;
 }
 
-Task::Task(const Scenario& scenario, const ModuleModel& module, const ScoreRules& rules)
-    : rules_(rules), time_limit_s_(scenario.time_limit_s) {
+Task::Task(const Scenario& scenario, const ModuleModel& module, const ScoreRules& rules,
+           const CriticalRules& critical)
+    : rules_(rules),
+      critical_(scenario, module, critical),
+      critical_reasons_(scenario.critical),
+      time_limit_s_(scenario.time_limit_s) {
   for (const TaskStep& spec : scenario.steps) steps_.push_back(MakeStep(spec, scenario, module));
   status_.steps = static_cast<int>(steps_.size());
 }
@@ -66,9 +70,10 @@ Task::Step Task::MakeStep(const TaskStep& spec, const Scenario& scenario,
                              spec.kind == TaskStep::Kind::kDisrupt;
   if (spec.object.empty()) return step;
   const auto fail = [&](std::string_view what) {
-    throw std::runtime_error(fmt::format("{}: object '{}' is {} module {} ({})",
-                                         scenario.file.string(), spec.object, what, module.id,
-                                         module.name));
+    throw std::runtime_error(fmt::format("{}{}: object '{}' is {} module {} ({})",
+                                         scenario.file.string(),
+                                         spec.line > 0 ? fmt::format(":{}", spec.line) : "",
+                                         spec.object, what, module.id, module.name));
   };
   const int object = IndexOf(module.objects, spec.object);
   const int vessel = IndexOf(module.vessels, spec.object);
@@ -82,7 +87,7 @@ Task::Step Task::MakeStep(const TaskStep& spec, const Scenario& scenario,
 }
 
 const TaskStatus& Task::Advance(const TaskInputs& inputs) {
-  if (inputs.started) Start(*inputs.state);
+  if (inputs.started) Start(inputs);
   if (status_.state != MissionState::kRun) return status_;
   if (inputs.ended) {
     status_.state = MissionState::kAbort;
@@ -110,16 +115,30 @@ const TaskStatus& Task::Advance(const TaskInputs& inputs) {
   return status_;
 }
 
-/// A charge that goes off spoils even the last step; tilt and time do not.
-FailReason Task::Failure(const TaskInputs& inputs) const {
-  const DisposalStatus* disposal = inputs.disposal;
-  if (disposal != nullptr && disposal->detonation != DetonationCause::kNone) {
-    return FailReason::kExploded;
-  }
+/// A charge that goes off spoils even the last step; nothing else does.
+FailReason Task::Failure(const TaskInputs& inputs) {
+  if (critical_.HasExploded(inputs)) return FailReason::kExploded;
   if (status_.step == status_.steps) return FailReason::kNone;
-  if (inputs.rolled_over) return FailReason::kRollover;
+  const FailReason found = critical_.Look(inputs);
+  if (found != FailReason::kNone) return found;
+  if (IsOutOfTurn(inputs)) return FailReason::kWrongOrder;
   const bool late = time_limit_s_ > 0 && status_.elapsed_s >= time_limit_s_;
   return late ? FailReason::kTimeOut : FailReason::kNone;
+}
+
+/// Whether a strict step behind the current one is done already.
+bool Task::IsOutOfTurn(const TaskInputs& inputs) {
+  if (!Contains(critical_reasons_, FailReason::kWrongOrder)) return false;
+  return std::any_of(steps_.begin() + status_.step + 1, steps_.end(), [&](const Step& step) {
+    return step.spec.strict && IsComplete(step, inputs);
+  });
+}
+
+std::optional<InspectedObject> Task::inspected() const {
+  if (status_.state != MissionState::kRun || status_.step >= status_.steps) return {};
+  const Step& step = steps_[status_.step];
+  if (step.spec.kind != TaskStep::Kind::kInspect) return {};
+  return InspectedObject{.step = &step.spec, .movable = step.movable, .X_MO = step.X_MO};
 }
 
 const std::string& Task::step_text() const {
@@ -138,13 +157,14 @@ void Task::Reset() {
   held_s_ = 2 * rules_.touch_memory;
 }
 
-void Task::Start(const RobotState& state) {
+void Task::Start(const TaskInputs& inputs) {
   Reset();
   // A scenario without steps is free driving: there is nothing to run or to pass.
   if (steps_.empty()) return;
   status_.state = MissionState::kRun;
-  mark_ = state.position;
-  last_position_ = state.position;
+  mark_ = inputs.state->position;
+  last_position_ = inputs.state->position;
+  critical_.Start(inputs);
 }
 
 /// Remembers how high a thing was when it was grasped.
@@ -181,6 +201,8 @@ bool Task::IsComplete(const Step& step, const TaskInputs& inputs) {
       return p_M.z() >= spec.distance && IsNear(p_M, spec);
     case TaskStep::Kind::kHoldStill:
       return HasHeldStill(spec, inputs);
+    case TaskStep::Kind::kInspect:
+      return HasInspected(spec, inputs);
     case TaskStep::Kind::kRetreat: {
       const bool moved =
           step.movable >= 0 && static_cast<size_t>(step.movable) < inputs.movables.size();
@@ -219,6 +241,11 @@ bool Task::HasHeldStill(const TaskStep& step, const TaskInputs& inputs) {
   const bool held = IsStill(inputs) && TiltOf(inputs.state->attitude) >= step.tilt;
   still_steps_ = held ? still_steps_ + 1 : 0;
   return held && still_steps_ * inputs.dt_s >= step.time;
+}
+
+bool Task::HasInspected(const TaskStep& step, const TaskInputs& inputs) {
+  still_steps_ = inputs.sees_object ? still_steps_ + 1 : 0;
+  return inputs.sees_object && still_steps_ * inputs.dt_s >= step.time;
 }
 
 /// A step may ask for a collision; any other one costs.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,8 +11,10 @@
 
 #include "sim/disposal/disposal_status.h"
 #include "sim/robot/robot_state.h"
+#include "sim/rules/critical_rules.h"
 #include "sim/rules/score_rules.h"
 #include "sim/scenario/scenario.h"
+#include "sim/task/critical_watch.h"
 #include "sim/world/world_model.h"
 
 namespace eod::sim {
@@ -45,6 +48,10 @@ struct TaskInputs {
   bool new_contact = false;  ///< an alarm of collision was raised in this step
   bool in_contact = false;
   bool rolled_over = false;
+  bool estopped = false;             ///< by the instructor
+  bool ended_by_instructor = false;  ///< in this step
+  double link_lost_s = 0;  ///< [s] since anything came from the operator, 0 while it comes in time
+  bool sees_object = false;         ///< the object of Task::inspected()
   std::string_view contact_object;  ///< object of the first contact, "" if none
   bool contact_by_held = false;     ///< it was made by what the gripper holds
   /// [m] from the foremost point of a robot that stands to what is ahead; infinity if nothing is,
@@ -53,6 +60,13 @@ struct TaskInputs {
   std::string_view forward_object;
   const DisposalStatus* disposal = nullptr;     ///< null: as if no charge was there
   std::span<const Eigen::Isometry3d> movables;  ///< X_MO, in the order of ModuleModel::movables
+};
+
+/// What the trainee is to look at now.
+struct InspectedObject {
+  const TaskStep* step = nullptr;
+  int movable = -1;  ///< its index among the movables, -1 if it stands still
+  Eigen::Isometry3d X_MO = Eigen::Isometry3d::Identity();  ///< where it was at the start
 };
 
 /// Progress through a scenario's steps. Pure; no allocation in Advance.
@@ -64,18 +78,23 @@ struct TaskInputs {
 /// the charge has been left alone for touch_memory; a grasp just before or during it makes it part
 /// of the grasp.
 ///
-/// A detonation, a rollover or the time limit fails the mission.
+/// The time limit fails the mission, and so does what CriticalWatch finds, and a strict step that
+/// is done before its turn.
 class Task {
  public:
   /// Throws std::runtime_error that names the scenario's file, if a step's object is not in
   /// `module`, or is not what the step needs: a movable to grasp, a vessel to place in.
-  Task(const Scenario& scenario, const ModuleModel& module, const ScoreRules& rules);
+  Task(const Scenario& scenario, const ModuleModel& module, const ScoreRules& rules,
+       const CriticalRules& critical = {});
 
   const TaskStatus& Advance(const TaskInputs& inputs);
   const TaskStatus& status() const { return status_; }
 
   /// What the trainee is to do now; empty when nothing is.
   const std::string& step_text() const;
+
+  /// The object that TaskInputs::sees_object is about; nothing unless an inspect step is current.
+  std::optional<InspectedObject> inspected() const;
 
   /// Forgets all progress: idle again.
   void Reset();
@@ -88,20 +107,24 @@ class Task {
     VesselSpec vessel;
   };
   static Step MakeStep(const TaskStep& spec, const Scenario& scenario, const ModuleModel& module);
-  void Start(const RobotState& state);
+  void Start(const TaskInputs& inputs);
   void WatchGrasp(const TaskInputs& inputs);
   bool IsComplete(const Step& step, const TaskInputs& inputs);
   bool HasPassed(const Step& gate, const Eigen::Vector3d& p_M) const;
   bool HasStopped(const TaskStep& step, const TaskInputs& inputs);
   bool HasHeldStill(const TaskStep& step, const TaskInputs& inputs);
+  bool HasInspected(const TaskStep& step, const TaskInputs& inputs);
   bool IsLifted(const Step& step, const TaskInputs& inputs) const;
-  FailReason Failure(const TaskInputs& inputs) const;
+  FailReason Failure(const TaskInputs& inputs);
+  bool IsOutOfTurn(const TaskInputs& inputs);
   void CountCollision(const TaskInputs& inputs);
   void CountTouches(const TaskInputs& inputs);
   void CompleteStep(const RobotState& state);
   double Score() const;
 
   ScoreRules rules_;
+  CriticalWatch critical_;
+  FailReasons critical_reasons_;
   std::vector<Step> steps_;
   double time_limit_s_;
   TaskStatus status_;
