@@ -36,6 +36,7 @@ struct BoxCommand {
   int preset = 0;
   FirePanel fire;  ///< for the simulator alone: it goes to no CAN bus
   dbc::Module menu_module = dbc::Module::kNone;
+  int menu_exercise = 0;
   dbc::MenuCommand menu_command = dbc::MenuCommand::kNone;
   dbc::CameraSelect camera_select = dbc::CameraSelect::kDrive;
   int camera_zoom = 0;

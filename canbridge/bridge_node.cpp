@@ -138,6 +138,7 @@ void BridgeNode::Publish(TimePoint now, const BoxCommand& command) {
   message.circuit = static_cast<int8_t>(command.fire.circuit);
   message.nonce_echo = static_cast<int16_t>(command.fire.nonce_echo);
   message.menu_module = static_cast<int8_t>(command.menu_module);
+  message.menu_exercise = static_cast<int8_t>(command.menu_exercise);
   message.menu_command = static_cast<int8_t>(command.menu_command);
   message.camera_select = static_cast<int8_t>(command.camera_select);
   message.camera_zoom = static_cast<int8_t>(command.camera_zoom);

@@ -22,6 +22,7 @@ BoxCommand ComposeCommand(const Supervision& supervision, const dbc::PanelState&
   command.control_mode = KnownOr(panel.mode, dbc::ControlMode::kNone);
   command.preset = supervision.motion_permitted && panel.preset <= 7 ? panel.preset : 0;
   command.menu_module = KnownOr(panel.menu_module, dbc::Module::kNone);
+  command.menu_exercise = panel.menu_exercise;
   command.camera_select = KnownOr(panel.camera, dbc::CameraSelect::kDrive);
   command.light = panel.light;
   command.infrared = panel.infrared;

@@ -79,6 +79,7 @@ struct PanelState {
   bool alarm_reset = false;
   Module menu_module = Module::kNone;
   MenuCommand menu_command = MenuCommand::kNone;
+  int menu_exercise = 0;  ///< 0 the one that is loaded, 1..15 which of the module
   double brightness = 1;  ///< 0..1
   // BOX_FIRE
   FireContact arm_key = FireContact::kOff;

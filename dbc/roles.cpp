@@ -162,6 +162,7 @@ void AddPanelRoles(Roles<PanelState>& roles) {
   roles.Flag<&S::alarm_reset>("alarm_reset");
   roles.Named<&S::menu_module>("menu_module", choices::kModule);
   roles.Named<&S::menu_command>("menu_command", choices::kMenuCommand);
+  roles.Count<&S::menu_exercise>("menu_exercise");
   roles.Quantity<&S::brightness>("brightness", Dimension::kShare);
   roles.Named<&S::arm_key>("arm_key", choices::kFireContact);
   roles.Named<&S::fire_left>("fire_left", choices::kFireContact);

@@ -84,6 +84,9 @@ std::optional<PanelAction> MissionActionOf(char character, const dbc::PanelState
       return PanelAction{.control = Control::kMenu, .choice = 3};
     case '8':
       return PanelAction{.control = Control::kModule, .choice = NextModule(controls.menu_module)};
+    case 'M':
+      return PanelAction{.control = Control::kExercise,
+                         .choice = (controls.menu_exercise + 1) % (kExercises + 1)};
     case '9':
       return PanelAction{.control = Control::kMenu, .choice = 1};
     case '0':

@@ -137,6 +137,9 @@ void OperatorHands::ApplySelector(const PanelAction& action) {
     case Control::kLampTest:
       controls.lamp_test = is_on;
       break;
+    case Control::kExercise:
+      controls.menu_exercise = choice;
+      break;
     case Control::kModule:
       controls.menu_module = static_cast<dbc::Module>(choice);
       break;

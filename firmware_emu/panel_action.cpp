@@ -58,14 +58,17 @@ constexpr std::array kActionWords{
     ActionWord{"power", Control::kPower, Argument::kChoice, words::kOffOn},
 };
 
-// "menu module flat" chooses, "menu start" presses a menu key.
+// "menu module flat" and "menu exercise 3" choose, "menu start" presses a menu key.
 PanelAction ParseMenu(WordReader& reader) {
   if (reader.TakeIf("module")) {
     return {.control = Control::kModule, .choice = reader.TakeChoice(words::kModule)};
   }
+  if (reader.TakeIf("exercise")) {
+    return {.control = Control::kExercise, .choice = reader.TakeInteger(0, kExercises)};
+  }
   if (reader.at_end()) {
     throw std::runtime_error(
-        fmt::format("'menu': allowed after it: module, {}", JoinWords(words::kMenu)));
+        fmt::format("'menu': allowed after it: module, exercise, {}", JoinWords(words::kMenu)));
   }
   return {.control = Control::kMenu, .choice = reader.TakeChoice(words::kMenu)};
 }

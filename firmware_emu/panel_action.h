@@ -38,6 +38,7 @@ enum class Control : uint8_t {
   kAcknowledge,
   kAlarmReset,
   kModule,
+  kExercise,
   kMenu,
   kBrightness,
   kArmKey,
@@ -46,6 +47,9 @@ enum class Control : uint8_t {
   kCircuit,
   kPower
 };
+
+/// Exercises of a module that the menu tells apart; 0 leaves it to the simulator.
+inline constexpr int kExercises = 15;
 
 /// One thing a hand does to the box.
 struct PanelAction {

@@ -101,10 +101,11 @@ std::string ControlRows(const PanelInputs& inputs) {
              WordOf(words::kKey, controls.key), inputs.estop_pressed ? "PRESSED" : "out",
              WordOf(words::kDeadman, controls.deadman), WordOf(words::kSpeed, controls.speed_range),
              controls.speed_limit * 100, controls.joint_rate * 100)) +
-         Line(fmt::format(
-             " Module {:<8} Camera {:<8} Light {:<8} Preset {}",
-             WordOf(words::kModule, controls.menu_module), WordOf(words::kCamera, controls.camera),
-             WordOf(words::kLight, controls.light), WordOf(words::kPreset, controls.preset))) +
+         Line(fmt::format(" Module {:<7} Exercise {:<3} Camera {:<8} Light {:<8} Preset {}",
+                          WordOf(words::kModule, controls.menu_module), controls.menu_exercise,
+                          WordOf(words::kCamera, controls.camera),
+                          WordOf(words::kLight, controls.light),
+                          WordOf(words::kPreset, controls.preset))) +
          Line(fmt::format(" Arm key {:<7} Circuit {}        Fire left {:<9} right {}",
                           WordOf(words::kArmKey, controls.arm_key), controls.circuit,
                           WordOf(words::kFireButton, controls.fire_left),
@@ -121,7 +122,7 @@ constexpr std::array<std::string_view, 9> kLegend{
     " arrows drive, turn  SPACE e-stop  z release it  x deadman  n reset  ENTER start",
     " m key switch   1 2 3 creep low high   , . speed limit   4 5 rate of the joints",
     " c camera  l light  v lamp test  b buzzer off  B alarm reset  Q or Ctrl-C quit",
-    " Menu: 8 module 9 start 0 reset 6 pause 7 resume E end   To drive: m m x n ENTER",
+    " 8 module M exercise 9 start 0 reset 6 pause 7 resume E end Drive: m m x n ENTER",
     " y/h front flipper   u/j rear flipper   q/a big arm   w/s small arm   e/d wrist",
     " r/f gripper roll    t/g gripper open/close   o/p pan left/right   i/k tilt",
     " Presets: S stow T travel G ground pick C carry D can drop  U/J stair up, down",

@@ -30,6 +30,8 @@ inline constexpr Channel kLinkStatusChannel{"EOD_LINK_STATUS", "link_status_t", 
 inline constexpr Channel kMissionStatusChannel{"EOD_MISSION_STATUS", "mission_status_t", "sim",
                                                "canbridge, recorder, console",
                                                "on change, and every 200 ms"};
+inline constexpr Channel kInstructorChannel{"EOD_INSTRUCTOR", "instructor_command_t",
+                                            "any instructor's panel or test", "sim", "on change"};
 inline constexpr Channel kDriveCameraChannel{"EOD_CAMERA_DRIVE", "image_t", "sim",
                                              "recorder, console", "25 to 30 Hz"};
 inline constexpr Channel kMastCameraChannel{"EOD_CAMERA_MAST", "image_t", "sim",
@@ -44,9 +46,10 @@ inline constexpr Channel kPanelStatusChannel{"EOD_PANEL_STATUS", "panel_status_t
                                              "recorder", "on change, and every 100 ms"};
 
 inline constexpr std::array kChannels{
-    kBoxCommandChannel,    kRobotStateChannel,    kAlarmChannel,        kIsectorHitsChannel,
-    kLinkStatusChannel,    kMissionStatusChannel, kDriveCameraChannel,  kMastCameraChannel,
-    kGripperCameraChannel, kRearCameraChannel,    kPanelCommandChannel, kPanelStatusChannel};
+    kBoxCommandChannel, kRobotStateChannel,    kAlarmChannel,      kIsectorHitsChannel,
+    kLinkStatusChannel, kMissionStatusChannel, kInstructorChannel, kDriveCameraChannel,
+    kMastCameraChannel, kGripperCameraChannel, kRearCameraChannel, kPanelCommandChannel,
+    kPanelStatusChannel};
 
 /// Name of `channel` on the wire for the station `prefix` (empty for a single station).
 inline std::string ChannelName(std::string_view prefix, const Channel& channel) {

@@ -4,6 +4,7 @@
 
 #include "platform/run_main.h"
 #include "programs/simulate.h"
+#include "sim/scenario/catalogue.h"
 
 int main(int argc, char** argv) {
   CLI::App app{"Simulates the robot in its world, and shows it to its cameras."};
@@ -13,7 +14,9 @@ int main(int argc, char** argv) {
   eod::sim::AddSimOptions(app, options);
   return eod::RunMain(app, EOD_VERSION, argc, argv, [&] {
     options.node.channel_prefix = station.lcm.channel_prefix;
-    if (station.describe) {
+    if (options.list) {
+      std::cout << eod::sim::DescribeCatalogue(eod::sim::LoadCatalogue(options.scenarios));
+    } else if (station.describe) {
       std::cout << eod::sim::Describe(options);
     } else if (options.lockstep) {
       eod::sim::SimulateLog(options);

@@ -110,7 +110,14 @@ void AddLockStepOptions(CLI::App& app, SimOptions& options) {
 void AddSimOptions(CLI::App& app, SimOptions& options) {
   app.add_option("--world", options.world, "SDFormat file")->capture_default_str();
   app.add_option("--robot", options.robot, "SDFormat file")->capture_default_str();
-  app.add_option("--scenario", options.scenario, "TOML file")->capture_default_str();
+  app.add_option("--scenario", options.scenario, "TOML file, or name of one of --scenarios")
+      ->capture_default_str();
+  app.add_option("--scenarios", options.scenarios, "folder of what the box's menu can choose")
+      ->capture_default_str();
+  app.add_option("--repetition", options.repetition,
+                 "variation of the scenario: start, places and light within its ranges; 0: as its "
+                 "file says");
+  app.add_flag("--list", options.list, "print all scenarios of the folder and exit");
   app.add_option("--rules", options.rules, "tuning of the exercise, TOML file")
       ->capture_default_str();
   AddStepOptions(app, options);
@@ -140,12 +147,12 @@ std::string Describe(const SimOptions& options) {
       "eod-sim: the robot in its world\n"
       "world            {}\n"
       "robot            {}\n"
-      "scenario         {}\n"
+      "scenario         {}, repetition {}; others from {}\n"
       "rules            {}\n"
       "step             {:g} ms ({:g} Hz), zero motion {:g} ms after the last command\n"
       "{}",
-      options.world.string(), options.robot.string(), options.scenario.string(),
-      options.rules.string(), 1000 * period_s, 1 / period_s,
+      options.world.string(), options.robot.string(), options.scenario, options.repetition,
+      options.scenarios.string(), options.rules.string(), 1000 * period_s, 1 / period_s,
       1000 * ToSeconds(options.node.simulator.command_timeout),
       DescribeIsectors(options.node.simulator));
   if (options.lockstep) {

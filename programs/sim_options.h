@@ -15,7 +15,10 @@ namespace eod::sim {
 struct SimOptions {
   std::filesystem::path world = EOD_DATA_DIR "/sim/worlds/training_ground.sdf";
   std::filesystem::path robot = EOD_DATA_DIR "/sim/robots/eod_robot.sdf";
-  std::filesystem::path scenario = EOD_DATA_DIR "/sim/scenarios/flat_first_drive.toml";
+  std::string scenario = EOD_DATA_DIR "/sim/scenarios/flat_first_drive.toml";  ///< file or name
+  std::filesystem::path scenarios = EOD_DATA_DIR "/sim/scenarios";             ///< folder
+  uint64_t repetition = 0;
+  bool list = false;  ///< only print the catalogue
   std::filesystem::path rules = EOD_DATA_DIR "/sim/rules/eod_rules.toml";
   SimNodeConfig node;
   bool cameras = true;

@@ -1,6 +1,8 @@
 #include "programs/simulate.h"
 
+#include <cstdio>
 #include <memory>
+#include <vector>
 
 #include <fmt/format.h>
 #include <malloc.h>
@@ -10,15 +12,43 @@
 #include "platform/run_main.h"
 #include "platform/run_node.h"
 #include "sim/picture_node.h"
+#include "sim/placing.h"
+#include "sim/scenario/catalogue.h"
+#include "sim/scenario/variation.h"
 
 namespace eod::sim {
+
+namespace {
+
+/// The exercise to begin with.
+Scenario FirstExercise(const SimOptions& options) {
+  return Vary(LoadScenario(options.scenario, options.scenarios), options.repetition);
+}
+
+/// What the menu can choose: what does not fit this world is told and left out.
+std::vector<Scenario> Exercises(const SimOptions& options, const WorldModel& world) {
+  std::vector<Scenario> catalogue = LoadCatalogue(options.scenarios);
+  std::erase_if(catalogue, [&world](const Scenario& scenario) {
+    try {
+      CheckFits(scenario, world);
+      return false;
+    } catch (const std::runtime_error& error) {
+      fmt::print(stderr, "not in the menu: {}\n", error.what());
+      return true;
+    }
+  });
+  return catalogue;
+}
+
+}  // namespace
 
 void SimulateLive(const SimOptions& options, const StationOptions& station) {
   const RobotModel robot = LoadRobot(options.robot);
   const WorldModel world = LoadWorld(options.world);
-  const Scenario scenario = LoadScenario(options.scenario);
+  const Scenario scenario = FirstExercise(options);
   SimNodeConfig config = options.node;
   config.simulator.exercise = LoadRules(options.rules);
+  config.simulator.catalogue = Exercises(options, world);
   malloc_trim(0);  // the SDFormat reader leaves tens of megabytes of free heap behind
   RunBeforeOthers();
   const SteadyClock clock;
@@ -45,12 +75,13 @@ void SimulateLive(const SimOptions& options, const StationOptions& station) {
 void SimulateLog(const SimOptions& options) {
   const RobotModel robot = LoadRobot(options.robot);
   const WorldModel world = LoadWorld(options.world);
-  const Scenario scenario = LoadScenario(options.scenario);
+  const Scenario scenario = FirstExercise(options);
   lockstep::ReplayConfig config;
   config.rig.bridge.dbc_file = options.dbc;
   config.rig.bridge.map_file = options.map;
   config.rig.sim = options.node;
   config.rig.sim.simulator.exercise = LoadRules(options.rules);
+  config.rig.sim.simulator.catalogue = Exercises(options, world);
   config.can_log = options.can_log;
   config.out = options.out;
   lockstep::ReplayLog(config, robot, world, scenario);

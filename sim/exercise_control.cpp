@@ -1,5 +1,3 @@
-#include <utility>
-
 #include "sim/scenario/variation.h"
 #include "sim/simulator.h"
 
@@ -19,22 +17,24 @@ Wish Simulator::Hear(const OperatorCommand& command, TimePoint now) const {
 bool Simulator::Instruct(const InstructorCommand& command) {
   estopped_ = command.estop;
   if (!command.scenario.empty() && menu_.Find(command.scenario) == nullptr) return false;
-  instructed_ = command;
+  instructed_.push_back(command);
   return true;
 }
 
 void Simulator::ObeyInstructor() {
-  if (!instructed_) return;
-  const InstructorCommand command = *std::exchange(instructed_, std::nullopt);
-  const Scenario* found = command.scenario.empty() ? nullptr : menu_.Find(command.scenario);
-  if (found != nullptr && PlaceOf(found->module) != nullptr) {
-    menu_.Load(Vary(*found, command.repetition));
-    Enter(menu_.loaded());
-    paused_ = false;
+  for (const InstructorCommand& command : instructed_) {
+    const Scenario* found = command.scenario.empty() ? nullptr : menu_.Find(command.scenario);
+    if (found != nullptr && PlaceOf(found->module) != nullptr) {
+      menu_.Load(Vary(*found, command.repetition));
+      scenario_ = nullptr;
+      Enter(menu_.loaded());
+      paused_ = false;
+    }
+    if (command.menu_command == kMenuStart) Enter(*scenario_);
+    if (command.menu_command == kMenuEnd) instructor_ends_ = true;
+    Obey(command.menu_command);
   }
-  if (command.menu_command == kMenuEnd) instructor_ends_ = true;
-  if (command.menu_command == kMenuStart) Enter(scenario_);
-  Obey(command.menu_command);
+  instructed_.clear();
 }
 
 /// A menu command acts once, when it appears. A module that this world lacks is no reason to fail:
@@ -61,7 +61,7 @@ void Simulator::Obey(int menu_command) {
     case kMenuResume:
       break;
     case kMenuReset:
-      Enter(scenario_);
+      Enter(*scenario_);
       break;
     case kMenuEnd:
       end_asked_ = true;
@@ -81,8 +81,12 @@ Place* Simulator::PlaceOf(int module) const {
 
 void Simulator::Enter(const Scenario& scenario) {
   place_ = PlaceOf(scenario.module);
-  scenario_ = scenario;
-  place_->Load(scenario_);
+  if (scenario_ == &scenario) {
+    place_->Restart();
+  } else {
+    scenario_ = &scenario;
+    place_->Load(scenario);
+  }
   explosion_.Reset();
   StandAtStart();
 }

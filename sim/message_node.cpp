@@ -67,6 +67,13 @@ OperatorCommand ToCommand(const box_command_t& message, TimePoint received) {
   return command;
 }
 
+InstructorCommand ToCommand(const instructor_command_t& message) {
+  return {.scenario = message.scenario,
+          .repetition = static_cast<uint64_t>(std::max(message.repetition, 0)),
+          .menu_command = message.menu_command,
+          .estop = message.estop != 0};
+}
+
 void Fill(const Simulator& simulator, robot_state_t& message) {
   const StepResult& result = simulator.last();
   const RobotState& state = result.state;
@@ -105,6 +112,9 @@ void Fill(const Simulator& simulator, mission_status_t& message) {
   const TaskStatus& task = result.task;
   message.utime = ToUtime(result.time);
   message.scenario = simulator.scenario().name;
+  message.title = simulator.scenario().title;
+  message.difficulty = static_cast<int8_t>(simulator.scenario().difficulty);
+  message.repetition = static_cast<int64_t>(simulator.scenario().repetition);
   message.module = static_cast<int8_t>(result.module);
   message.state = static_cast<int8_t>(task.state);
   message.elapsed_s = task.elapsed_s;

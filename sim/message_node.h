@@ -1,6 +1,7 @@
 #pragma once
 
 #include "eod/box_command_t.hpp"
+#include "eod/instructor_command_t.hpp"
 #include "eod/isector_hits_t.hpp"
 #include "eod/mission_status_t.hpp"
 #include "eod/robot_state_t.hpp"
@@ -11,6 +12,8 @@ namespace eod::sim {
 
 /// The command in a message that was received at `received`.
 OperatorCommand ToCommand(const box_command_t& message, TimePoint received);
+
+InstructorCommand ToCommand(const instructor_command_t& message);
 
 // These fill a message with what the last step found. Poses leave the module's local frame for the
 // world's, radians become degrees. What the simulator does not know is left as it was.

@@ -29,11 +29,6 @@ Place::Place(RobotModel& robot, int probe, const WorldModel& all, const ModuleMo
   for (const MovableObject& movable : model.movables) poses_.push_back(movable.X_MO);
 }
 
-void Place::Check(const Scenario& scenario) const {
-  CheckPlaces(scenario, module_);
-  const Task fits(scenario, module_, rules_.score);
-}
-
 void Place::Load(const Scenario& scenario) {
   start_ = StartOf(scenario, module_);
   seed_ = static_cast<uint64_t>(scenario.seed);
@@ -47,7 +42,7 @@ void Place::Load(const Scenario& scenario) {
     bodies.SetStart(static_cast<int>(i), X_MO);
   }
   task = Task(scenario, module_, rules_.score, rules_.critical);
-  Reset();
+  Restart();
 }
 
 StartPose Place::Start() {
@@ -65,7 +60,7 @@ StartPose Place::Start() {
   return on_ground;
 }
 
-void Place::Reset() {
+void Place::Restart() {
   bodies.Reset();
   disposal.Reset(seed_);
   isectors.Reload(probe_);

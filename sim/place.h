@@ -23,11 +23,10 @@ class Place {
   Place(RobotModel& robot, int probe, const WorldModel& all, const ModuleModel& model,
         const SimulatorConfig& config);
 
-  /// Throws std::runtime_error "FILE:LINE: …" unless the scenario can be loaded here.
-  void Check(const Scenario& scenario) const;
-
-  /// An exercise that Check has passed, from its start.
+  /// An exercise of this module that CheckFits has passed, from its start.
   void Load(const Scenario& scenario);
+  /// The same exercise from its start.
+  void Restart();
 
   /// Where the robot begins: on the ground nearest below a step above the scenario's start.
   StartPose Start();
@@ -50,7 +49,6 @@ class Place {
   Task task;
 
  private:
-  void Reset();
   void ObeyOrders();
   void FollowBodies();
 

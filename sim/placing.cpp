@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "sim/rules/toml_table.h"
+#include "sim/task/task.h"
 
 namespace eod::sim {
 namespace {
@@ -69,7 +70,16 @@ Eigen::Isometry3d StartOf(const MovableObject& movable, const Placement& place) 
   return X_MO;
 }
 
-void CheckPlaces(const Scenario& scenario, const ModuleModel& module) {
+void CheckFits(const Scenario& scenario, const WorldModel& world) {
+  const auto found =
+      std::find_if(world.modules.begin(), world.modules.end(),
+                   [&](const ModuleModel& one) { return one.id == scenario.module; });
+  if (found == world.modules.end()) {
+    throw std::runtime_error(fmt::format("{}: module {} is not in {}", scenario.file.string(),
+                                         scenario.module, world.file.string()));
+  }
+  const ModuleModel& module = *found;
+  const Task has_its_objects(scenario, module, {});
   CheckArea(scenario, module, scenario.start);
   const std::vector<Placement>& places = scenario.places;
   for (size_t i = 0; i < places.size(); ++i) {

@@ -23,8 +23,9 @@ StartPose StartOf(const Scenario& scenario, const ModuleModel& module);
 /// lies goes on lying.
 Eigen::Isometry3d StartOf(const MovableObject& movable, const Placement& place);
 
-/// Throws std::runtime_error "FILE:LINE: …" unless `module` has all that the scenario places, each
-/// once, and start and places lie within its area.
-void CheckPlaces(const Scenario& scenario, const ModuleModel& module);
+/// Throws std::runtime_error "FILE:LINE: …" unless the scenario can be played in `world`: its
+/// module is there and has all that the steps name and that is placed, each thing once, and start
+/// and places lie within the module's area.
+void CheckFits(const Scenario& scenario, const WorldModel& world);
 
 }  // namespace eod::sim

@@ -1,5 +1,9 @@
 #include "sim/sim_node.h"
 
+#include <cstdio>
+
+#include <fmt/core.h>
+
 #include "lcmtypes/channels.h"
 #include "sim/message_node.h"
 
@@ -18,13 +22,29 @@ SimNode::SimNode(const SimNodeConfig& config, const RobotModel& robot, const Wor
   alarm_message_.source = alarm_t::SOURCE_SIM;
   subscription_ = lcm_.subscribe(ChannelName(config.channel_prefix, kBoxCommandChannel),
                                  &SimNode::OnCommand, this);
+  instructor_ = lcm_.subscribe(ChannelName(config.channel_prefix, kInstructorChannel),
+                               &SimNode::OnInstructor, this);
 }
 
-SimNode::~SimNode() { lcm_.unsubscribe(subscription_); }
+SimNode::~SimNode() {
+  lcm_.unsubscribe(subscription_);
+  lcm_.unsubscribe(instructor_);
+}
 
 void SimNode::OnCommand(const lcm::ReceiveBuffer* /*buffer*/, const std::string& /*channel*/,
                         const box_command_t* message) {
   command_ = ToCommand(*message, clock_.Now());
+}
+
+void SimNode::OnInstructor(const lcm::ReceiveBuffer* /*buffer*/, const std::string& /*channel*/,
+                           const instructor_command_t* message) {
+  InstructorCommand command;
+  if (instructed_ != message->sequence) command = ToCommand(*message);
+  command.estop = message->estop != 0;
+  instructed_ = message->sequence;
+  if (!simulator_.Instruct(command)) {
+    fmt::print(stderr, "no exercise '{}'\n", message->scenario);
+  }
 }
 
 void SimNode::OnTick(TimePoint scheduled) {

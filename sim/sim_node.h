@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -8,6 +9,7 @@
 
 #include "eod/alarm_t.hpp"
 #include "eod/box_command_t.hpp"
+#include "eod/instructor_command_t.hpp"
 #include "eod/isector_hits_t.hpp"
 #include "eod/mission_status_t.hpp"
 #include "eod/robot_state_t.hpp"
@@ -33,7 +35,7 @@ struct SceneOutput {
   bool draw_isectors = false;
 };
 
-/// The simulator on LCM: box commands in; robot state, alarms and mission out.
+/// The simulator on LCM: commands of box and instructor in; robot state, alarms and mission out.
 class SimNode {
  public:
   /// `robot` and `world` must outlive the node. Throws as Simulator does.
@@ -66,6 +68,8 @@ class SimNode {
  private:
   void OnCommand(const lcm::ReceiveBuffer* buffer, const std::string& channel,
                  const box_command_t* message);
+  void OnInstructor(const lcm::ReceiveBuffer* buffer, const std::string& channel,
+                    const instructor_command_t* message);
   void Step(TimePoint scheduled);
   void PublishAlarms(const StepResult& result);
   void PublishAlarm(TimePoint time);
@@ -78,6 +82,8 @@ class SimNode {
   lcm::LCM& lcm_;
   const Clock& clock_;
   lcm::Subscription* subscription_ = nullptr;
+  lcm::Subscription* instructor_ = nullptr;
+  std::optional<int32_t> instructed_;  ///< sequence of the last command
   OperatorCommand command_;
   SceneOutput scene_output_;
   SceneSnapshot snapshot_;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/sight.h"
 #include "sim/stance/standing.h"
 
 namespace eod::sim {
@@ -22,7 +23,6 @@ Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Sce
                      const SimulatorConfig& config)
     : robot_(robot),
       probe_(AppendHeldProbe(robot_)),
-      scenario_(scenario),
       config_(config),
       dt_s_(ToSeconds(config.period)),
       drives_(robot_),
@@ -38,35 +38,29 @@ Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Sce
         fmt::format("step period {} ms, allowed 1 .. 20 ms", 1000 * ToSeconds(config.period)));
   }
   if (config.exercise.file.empty()) throw std::runtime_error("simulator: no rules were loaded");
-  if (std::none_of(world.modules.begin(), world.modules.end(),
-                   [&](const ModuleModel& module) { return module.id == scenario.module; })) {
-    throw std::runtime_error(fmt::format("{}: module {} is not in {}", scenario.file.string(),
-                                         scenario.module, world.file.string()));
-  }
+  CheckFits(scenario, world);
   for (const ModuleModel& module : world.modules) {
     places_.push_back(std::make_unique<Place>(robot_, probe_, world, module, config));
   }
-  CheckExercises();
+  for (const Scenario& one : config.catalogue) {
+    if (PlaceOf(one.module) != nullptr) CheckFits(one, world);
+  }
   result_.alarm_changes.reserve(16);
   // Every list grows to its full length now, so that no step has to allocate.
   for (const auto& place : places_) {
     place_ = place.get();
     StandAtStart();
     Cast(kAllMotions);
+    const Sight ahead{.p_M = {0, 10, 0.5}, .distance = 100, .object = {}};
+    for (const CameraSpec& camera : robot_.cameras) {
+      Sees(camera, link_poses_, place_->world, ahead, sight_);
+    }
   }
   size_t lines = 0;
   for (const IsectorSpec& isector : robot_.isectors) lines += isector.segments.size();
   response_.contacts.reserve(lines);
   response_.held.reserve(lines);
-  Enter(scenario);
-}
-
-void Simulator::CheckExercises() const {
-  PlaceOf(scenario_.module)->Check(scenario_);
-  for (const Scenario& scenario : menu_.catalogue()) {
-    const Place* place = PlaceOf(scenario.module);
-    if (place != nullptr) place->Check(scenario);
-  }
+  Enter(menu_.loaded());
 }
 
 const StepResult& Simulator::Step(TimePoint now, const OperatorCommand& command) {
@@ -231,7 +225,7 @@ void Simulator::Dispose(const OperatorCommand& command) {
   place_->MoveBodies(dt_s_, link_poses_);
   const DisposalStatus& disposal = result_.disposal;
   if (before == DetonationCause::kNone && disposal.detonation != before) {
-    explosion_.Ignite(disposal.detonation_ground, static_cast<uint32_t>(scenario_.seed),
+    explosion_.Ignite(disposal.detonation_ground, static_cast<uint32_t>(scenario_->seed),
                       disposal.robot_destroyed);
   }
   explosion_.Step(dt_s_);

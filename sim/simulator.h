@@ -72,7 +72,8 @@ class Simulator {
   Simulator& operator=(const Simulator&) = delete;
 
   /// Advances by one period. `now` is the scheduled moment of this step. Never throws, and
-  /// allocates nothing, unless a menu command enters a module: its bodies are made anew.
+  /// allocates nothing, unless menu or instructor enter a module or another exercise: bodies and
+  /// task are made anew.
   const StepResult& Step(TimePoint now, const OperatorCommand& command);
 
   /// Is obeyed in the next step. False if there is no exercise of that name: then nothing of it is,
@@ -83,7 +84,7 @@ class Simulator {
   const AlarmTable& alarms() const { return alarms_; }
   const Task& task() const { return place_->task; }
   /// The exercise that is loaded; without a name it is free driving.
-  const Scenario& scenario() const { return scenario_; }
+  const Scenario& scenario() const { return *scenario_; }
   const ModuleModel& module() const { return place_->module(); }
   const World& world() const { return place_->world; }
   /// The movables of the module, in its order.
@@ -96,11 +97,10 @@ class Simulator {
   const Response& response() const { return response_; }
 
  private:
-  void CheckExercises() const;
   void ObeyInstructor();
   void ObeyMenu(const OperatorCommand& command);
   void Obey(int menu_command);
-  void Enter(const Scenario& scenario);
+  void Enter(const Scenario& scenario);  ///< one of menu_
   Place* PlaceOf(int module) const;
   Wish Hear(const OperatorCommand& command, TimePoint now) const;
   void StandAtStart();
@@ -129,7 +129,6 @@ class Simulator {
 
   RobotModel robot_;  ///< with the lines of what the hand holds
   int probe_;         ///< index of those in robot_.isectors
-  Scenario scenario_;
   SimulatorConfig config_;
   double dt_s_;
   std::vector<std::unique_ptr<Place>> places_;
@@ -147,7 +146,8 @@ class Simulator {
   StepResult result_;
   std::vector<Eigen::Isometry3d> link_poses_;  ///< of result_.state
   ExerciseMenu menu_;
-  std::optional<InstructorCommand> instructed_;  ///< and not obeyed yet
+  const Scenario* scenario_ = nullptr;         ///< of menu_
+  std::vector<InstructorCommand> instructed_;  ///< and not obeyed yet
   CastMemory sight_;
   int last_menu_command_ = kMenuNone;
   bool start_asked_ = false;  ///< of the mission, in this step

@@ -1,10 +1,20 @@
 #include "sim/scenario/exercise_menu.h"
 
+#include <utility>
+
 #include "sim/scenario/catalogue.h"
 
 namespace eod::sim {
 
-Scenario ExerciseMenu::Choose(int module, int number) const {
+ExerciseMenu::ExerciseMenu(const Scenario& loaded, std::vector<Scenario> catalogue)
+    : loaded_(loaded), catalogue_(std::move(catalogue)) {
+  for (size_t i = 0; i < free_.size(); ++i) {
+    free_[i].file = loaded.file;
+    free_[i].module = static_cast<int>(i) + 1;
+  }
+}
+
+const Scenario& ExerciseMenu::Choose(int module, int number) const {
   const Scenario* first = nullptr;
   int count = 0;
   for (const Scenario& scenario : catalogue_) {
@@ -13,11 +23,7 @@ Scenario ExerciseMenu::Choose(int module, int number) const {
     if (first == nullptr) first = &scenario;
   }
   if (loaded_.module == module) return loaded_;
-  if (first != nullptr) return *first;
-  Scenario free_driving;
-  free_driving.file = loaded_.file;
-  free_driving.module = module;
-  return free_driving;
+  return first != nullptr ? *first : free_.at(static_cast<size_t>(module - 1));
 }
 
 const Scenario* ExerciseMenu::Find(std::string_view name) const {

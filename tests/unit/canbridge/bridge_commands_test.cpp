@@ -121,6 +121,7 @@ TEST(BridgeCommands, SpeedLimitScales) {
 TEST(BridgeCommands, PanelControlsPassWithoutTheEnablingSwitch) {
   BridgeRig rig;
   rig.panel.menu_module = dbc::Module::kFlat;
+  rig.panel.menu_exercise = 3;
   rig.panel.menu_command = dbc::MenuCommand::kStart;
   rig.panel.camera = dbc::CameraSelect::kMast;
   rig.panel.light = 3;
@@ -130,6 +131,7 @@ TEST(BridgeCommands, PanelControlsPassWithoutTheEnablingSwitch) {
   const BoxCommand& command = rig.commands.back();
   EXPECT_FALSE(command.motion_permitted);
   EXPECT_EQ(command.menu_module, dbc::Module::kFlat);
+  EXPECT_EQ(command.menu_exercise, 3);
   EXPECT_EQ(command.menu_command, dbc::MenuCommand::kStart);
   EXPECT_EQ(command.camera_select, dbc::CameraSelect::kMast);
   EXPECT_EQ(command.light, 3);

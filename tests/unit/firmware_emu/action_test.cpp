@@ -59,6 +59,7 @@ TEST(Action, SetsEveryControl) {
   EXPECT_TRUE(After("alarm_reset").controls.alarm_reset);
   EXPECT_EQ(After("menu module indoor").controls.menu_module, dbc::Module::kIndoor);
   EXPECT_EQ(After("menu pause").controls.menu_command, dbc::MenuCommand::kPause);
+  EXPECT_EQ(After("menu exercise 15").controls.menu_exercise, 15);
   EXPECT_DOUBLE_EQ(After("brightness 80%").controls.brightness, 0.8);
   EXPECT_EQ(After("arm_key armed").controls.arm_key, dbc::FireContact::kOn);
   EXPECT_EQ(After("fire_left pressed").controls.fire_left, dbc::FireContact::kOn);
@@ -83,7 +84,8 @@ TEST(Action, ErrorsNameTheWordAndWhatIsAllowed) {
   EXPECT_EQ(ErrorOf("rate nan%"), "'nan%': allowed: 0%..100%");
   EXPECT_EQ(ErrorOf("circuit 4"), "'4': allowed: a whole number 0..3");
   EXPECT_EQ(ErrorOf("menu lunch"), "'lunch': allowed: start, pause, resume, reset, end");
-  EXPECT_THAT(ErrorOf("menu"), HasSubstr("module, start"));
+  EXPECT_THAT(ErrorOf("menu"), HasSubstr("module, exercise, start"));
+  EXPECT_EQ(ErrorOf("menu exercise 16"), "'16': allowed: a whole number 0..15");
   EXPECT_THAT(ErrorOf("menu module moon"), HasSubstr("'moon': allowed: none, flat"));
 }
 

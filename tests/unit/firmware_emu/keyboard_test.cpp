@@ -135,6 +135,14 @@ TEST(Keyboard, ControlKeysMoveTheirControls) {
   EXPECT_FALSE(controls.lamp_test);
 }
 
+TEST(Keyboard, CapitalMGoesRoundTheExercises) {
+  OperatorHands hands;
+  for (const int exercise : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1}) {
+    PressKey(Character('M'), At(seconds(0)), hands);
+    EXPECT_EQ(hands.inputs().controls.menu_exercise, exercise);
+  }
+}
+
 TEST(Keyboard, EightGoesRoundTheFiveModulesAndTheMenuKeysPressTheirKey) {
   OperatorHands hands;
   const auto press = [&hands](char c) { PressKey(Character(c), At(seconds(0)), hands); };

@@ -70,6 +70,7 @@ TEST(Screen, ShowsTheMissionTheBombAndTheFirePanelUncut) {
   inputs.controls.speed_range = dbc::SpeedRange::kCreep;
   inputs.controls.joint_rate = 0.3;
   inputs.controls.menu_module = dbc::Module::kOutdoor;
+  inputs.controls.menu_exercise = 12;
   inputs.controls.camera = dbc::CameraSelect::kGripper;
   inputs.controls.light = 2;
   inputs.controls.preset = 3;
@@ -81,9 +82,9 @@ TEST(Screen, ShowsTheMissionTheBombAndTheFirePanelUncut) {
   for (const auto* text :
        {"Mission fail    done 15/15  score 100.0  6554 s  hits 255  failure out_of_area\x1b",
         "Bomb disrupted", "Grasp contact_right", "Fire armed_wait", "Circuits ready 1 2 3\x1b",
-        "Speed creep 100 %  Joints  30 %\x1b", "Module outdoor", "Camera gripper", "Light gripper",
-        "Preset ground_pick\x1b", "Arm key armed", "Circuit 2", "Fire left released",
-        "right pressed"}) {
+        "Speed creep 100 %  Joints  30 %\x1b", "Module outdoor", "Exercise 12 ", "Camera gripper",
+        "Light gripper", "Preset ground_pick\x1b", "Arm key armed", "Circuit 2",
+        "Fire left released", "right pressed"}) {
     EXPECT_NE(screen.find(text), std::string::npos) << text << "\n" << screen;
   }
 }
