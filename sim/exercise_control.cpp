@@ -31,8 +31,12 @@ void Simulator::ObeyInstructor() {
       paused_ = false;
     }
     if (command.menu_command == kMenuStart) Enter(*scenario_);
-    if (command.menu_command == kMenuEnd) instructor_ends_ = true;
-    Obey(command.menu_command);
+    if (command.menu_command == kMenuEnd) {
+      instructor_ends_ = true;
+      paused_ = false;
+    } else {
+      Obey(command.menu_command);
+    }
   }
   instructed_.clear();
 }

@@ -3,6 +3,8 @@
 #include <array>
 #include <string_view>
 
+#include <fmt/format.h>
+
 #include "sim/rules/toml_table.h"
 
 namespace eod::sim {
@@ -15,6 +17,7 @@ constexpr std::array<std::string_view, 4> kWeatherKeys = {"light", "lights", "vi
                                                           "rain_mm_per_h"};
 constexpr std::array<std::string_view, 3> kLights = {"day", "dusk", "night"};  // as the enum
 
+constexpr size_t kMaxSteps = 15;     // ROB_MISSION.Steps has four bits
 constexpr double kMaxTime = 86400;   // [s]
 constexpr double kMaxLength = 3000;  // [m] the whole world
 
@@ -88,7 +91,13 @@ Scenario LoadScenario(const std::filesystem::path& file) {
   for (const TomlTable& place : table.Tables("place")) {
     scenario.places.push_back(ReadPlacement(place, true));
   }
-  for (const TomlTable& step : table.Tables("step")) scenario.steps.push_back(ReadTaskStep(step));
+  for (const TomlTable& step : table.Tables("step")) {
+    if (scenario.steps.size() == kMaxSteps) {
+      table.Fail(step.line(),
+                 fmt::format("more than {} steps, which the box cannot show", kMaxSteps));
+    }
+    scenario.steps.push_back(ReadTaskStep(step));
+  }
   for (const TomlTable& fault : table.Tables("fault")) {
     scenario.faults.push_back(ReadFaultSpec(fault));
   }

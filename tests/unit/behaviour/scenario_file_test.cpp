@@ -124,6 +124,83 @@ TEST(LoadScenario, StepsThatLackWhatTheirKindNeedsAreRefused) {
             "5: kind = 'graps' is unknown; did you mean 'grasp'?");
 }
 
+TEST(LoadScenario, ReadsAreaCriticalLightsAndInspection) {
+  const auto file = std::filesystem::path(::testing::TempDir()) / "scenario_with_area.toml";
+  std::ofstream(file) << R"(
+name = 'all'
+module = 3
+critical = ['detonation', 'out_of_area']
+[area]
+corners_m = [[-2, -1], [2, -1], [0, 20]]
+[weather]
+lights = ['dusk', 'night']
+[[step]]
+kind = 'inspect'
+object = 'plate_1'
+point_m = [0, 0.1, 1.1]
+camera = 'mast'
+distance_m = 5
+time_s = 2
+text = ''
+[[step]]
+kind = 'grasp'
+object = 'charge_m'
+strict = true
+text = ''
+)";
+  const Scenario dut = LoadScenario(file);
+  ASSERT_EQ(dut.area.size(), 3u);
+  EXPECT_EQ(dut.area[2], Eigen::Vector2d(0, 20));
+  EXPECT_TRUE(Contains(dut.critical, FailReason::kExploded));
+  EXPECT_TRUE(Contains(dut.critical, FailReason::kOutOfArea));
+  EXPECT_TRUE(Contains(dut.critical, FailReason::kInstructor)) << "his word always counts";
+  EXPECT_FALSE(Contains(dut.critical, FailReason::kRollover));
+  EXPECT_EQ(dut.weather.light, Weather::Light::kDusk);
+  EXPECT_EQ(dut.lights.size(), 2u);
+  EXPECT_EQ(dut.steps[0].kind, TaskStep::Kind::kInspect);
+  EXPECT_EQ(dut.steps[0].point, Eigen::Vector3d(0, 0.1, 1.1));
+  EXPECT_EQ(dut.steps[0].camera, 3);
+  EXPECT_EQ(dut.steps[0].line, 11u);
+  EXPECT_TRUE(dut.steps[1].strict);
+}
+
+TEST(LoadScenario, ErrorsOfAreaCriticalLightsAndInspectionNameLineAndRemedy) {
+  const std::string head = "name = 'a'\nmodule = 3\n";
+  EXPECT_EQ(LoadError(head + "critical = ['detonation',\n 'rolover']\n"),
+            "4: critical: 'rolover' is unknown; did you mean 'rollover'?");
+  EXPECT_EQ(LoadError(head + "critical = 'rollover'\n"), "3: 'critical' has to be a list of texts");
+  EXPECT_EQ(LoadError(head + "[area]\ncorners = []\n"),
+            "4: unknown key 'corners'; did you mean 'corners_m'?");
+  EXPECT_EQ(LoadError(head + "[area]\ncorners_m = [[0, 0], [1, 1]]\n"),
+            "4: 'corners_m' has to be a list of at least 3 points [x, y] within -3000 .. 3000");
+  EXPECT_THAT(LoadError(head + "[area]\ncorners_m = [[0, 0],\n[1, 1],\n[2]]\n"),
+              StartsWith("6: 'corners_m' has to be"));
+  EXPECT_EQ(LoadError(head + "[weather]\nlight = 'day'\nlights = ['day']\n"),
+            "5: either light or lights");
+  EXPECT_EQ(LoadError(head + "[weather]\nlights = ['nigth']\n"),
+            "4: lights: 'nigth' is unknown; did you mean 'night'?");
+  EXPECT_EQ(LoadError(head + "[start]\nposition = [0, 0, 0]\n"),
+            "4: unknown key 'position'; did you mean 'position_m'?");
+  EXPECT_EQ(LoadError(head + "[[place]]\nobject = 'a'\nspread_m = [1]\n"),
+            "5: 'spread_m' has to be a list of 2 numbers within 0 .. 100");
+  const std::string step = head + "[[step]]\ntext = ''\n";
+  EXPECT_EQ(LoadError(step + "kind = 'inspect'\nobject = 'a'\ndistance_m = 1\ntime_s = 1\n"
+                             "camera = 'mats'\n"),
+            "9: camera = 'mats' is unknown; did you mean 'mast'?");
+  EXPECT_EQ(LoadError(step + "kind = 'grasp'\nobject = 'a'\ncamera = 'mast'\n"),
+            "7: 'camera' belongs to a step 'inspect'");
+  EXPECT_EQ(LoadError(step + "kind = 'hold_still'\ntime_s = 1\nstrict = true\n"),
+            "7: a step 'hold_still' takes its time and cannot be strict");
+}
+
+TEST(LoadScenario, MoreStepsThanTheBoxCanShowAreRefused) {
+  std::string text = "name = 'a'\nmodule = 3\n";
+  for (int i = 0; i < 15; ++i) text += "[[step]]\nkind = 'contact'\ntext = ''\n";
+  EXPECT_EQ(LoadError(text), "no error");
+  EXPECT_EQ(LoadError(text + "[[step]]\nkind = 'contact'\ntext = ''\n"),
+            "48: more than 15 steps, which the box cannot show");
+}
+
 TEST(ShippedScenarios, NameObjectsThatTheirModulesHave) {
   const WorldModel world = LoadWorld(kData / "sim/worlds/training_ground.sdf");
   int count = 0;

@@ -166,6 +166,33 @@ TEST_F(SimNodeTest, MissionIsToldOnChangeAndEvery200Milliseconds) {
   EXPECT_EQ(missions.messages.back().step_text, "Drive forward until the wall stops you");
 }
 
+TEST_F(SimNodeTest, InstructorLoadsAnExerciseOnceAndItIsTold) {
+  Inbox<mission_status_t> missions(lcm_, Name(kMissionStatusChannel));
+  Tick();
+  instructor_command_t order{};
+  order.sequence = 1;
+  order.scenario = FirstDrive().name;
+  order.repetition = 3;
+  order.menu_command = kMenuStart;
+  lcm_.publish(Name(kInstructorChannel), &order);
+  Tick(2);
+  ASSERT_FALSE(missions.messages.empty());
+  EXPECT_EQ(missions.messages.back().state, mission_status_t::STATE_RUN);
+  EXPECT_EQ(missions.messages.back().scenario, FirstDrive().name);
+  EXPECT_EQ(missions.messages.back().title, FirstDrive().title);
+  EXPECT_EQ(missions.messages.back().difficulty, FirstDrive().difficulty);
+  EXPECT_EQ(missions.messages.back().repetition, 3);
+  Tick(100);
+  lcm_.publish(Name(kInstructorChannel), &order);  // the same once more
+  Tick(60);
+  EXPECT_GT(missions.messages.back().elapsed_s, 0.5) << "it was not started over";
+  order.estop = 1;
+  lcm_.publish(Name(kInstructorChannel), &order);
+  Tick(2);
+  EXPECT_EQ(missions.messages.back().state, mission_status_t::STATE_FAIL);
+  EXPECT_EQ(missions.messages.back().fail_reason, static_cast<int>(FailReason::kEstop));
+}
+
 TEST_F(SimNodeTest, NewestCommandWinsAndItsAgeCountsFromItsArrival) {
   Inbox<robot_state_t> states(lcm_, Name(kRobotStateChannel));
   Command({kDriveForward}, 1);

@@ -239,6 +239,12 @@ TEST(BridgeFeedback, MissionIsShownAndElapsedTimeSaturates) {
   EXPECT_EQ(rig.shown.bomb_state, 1);
   EXPECT_EQ(rig.shown.collisions, 255) << "eight bits";
   EXPECT_EQ(rig.lamp(Lamp::kMission), LampPattern::kOn);
+  for (const int reason : {1, 2, 3, 4, 5, 6, 7, 8, 9}) {  // exploded .. wrong order
+    rig.Report(MissionReport{.state = 4, .fail_reason = reason});
+    rig.Run(milliseconds(260));
+    EXPECT_EQ(rig.shown.mission_state, 4);
+    EXPECT_EQ(rig.shown.fail_reason, reason);
+  }
   rig.Report(MissionReport{.state = 2, .elapsed_s = 1e6});
   rig.Run(milliseconds(260));
   EXPECT_NEAR(rig.shown.elapsed_s, 6553.5, 1e-6) << "16 bits of 0.1 s";
