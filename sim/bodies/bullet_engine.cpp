@@ -127,7 +127,7 @@ void RigidBodies::Engine::Reset() {
 void RigidBodies::Engine::SetStart(int body, const std::optional<Isometry3d>& X_MO) {
   const auto index = static_cast<size_t>(body);
   objects_[index].X_MO = X_MO.value_or(X_MO_module_[index]);
-  settles_[index] = X_MO ? 1 : 0;
+  settles_[index] = objects_[index].X_MO.matrix() != X_MO_module_[index].matrix() ? 1 : 0;
 }
 
 void RigidBodies::Engine::Step(double dt_s, std::span<const Isometry3d> X_ML) {

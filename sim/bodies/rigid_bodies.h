@@ -37,8 +37,8 @@ class RigidBodies {
   /// Everything back to the start.
   void Reset();
 
-  /// From the next Reset on the body starts there, and settles on what is below it; without a pose,
-  /// where the module has it.
+  /// From the next Reset on the body starts there, and settles on what is below it; without a pose
+  /// it is where the module has it, at rest.
   void SetStart(int body, const std::optional<Eigen::Isometry3d>& X_MO);
 
   /// Advances by dt, with the robot's links moving to `X_ML` meanwhile. Costs next to nothing while
