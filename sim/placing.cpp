@@ -15,7 +15,9 @@ namespace eod::sim {
 namespace {
 
 [[noreturn]] void Fail(const Scenario& scenario, const Placement& place, const std::string& what) {
-  throw std::runtime_error(fmt::format("{}:{}: {}", scenario.file.string(), place.line, what));
+  // A start that is no table of the file has no line: the first one then.
+  throw std::runtime_error(
+      fmt::format("{}:{}: {}", scenario.file.string(), std::max(1U, place.line), what));
 }
 
 void CheckArea(const Scenario& scenario, const ModuleModel& module, const Placement& place) {
@@ -81,6 +83,9 @@ void CheckFits(const Scenario& scenario, const WorldModel& world) {
   const ModuleModel& module = *found;
   const Task has_its_objects(scenario, module, {});
   CheckArea(scenario, module, scenario.start);
+  if (!scenario.area.empty() && !IsWithin(scenario.area, StartOf(scenario, module).p_M.head<2>())) {
+    Fail(scenario, scenario.start, "the start lies outside of [area]");
+  }
   const std::vector<Placement>& places = scenario.places;
   for (size_t i = 0; i < places.size(); ++i) {
     CheckObject(scenario, module, places[i]);

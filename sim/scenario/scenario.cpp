@@ -100,6 +100,12 @@ Scenario LoadScenario(const std::filesystem::path& file) {
   }
   for (const TomlTable& fault : table.Tables("fault")) {
     scenario.faults.push_back(ReadFaultSpec(fault));
+    const int steps = static_cast<int>(scenario.steps.size());
+    if (scenario.faults.back().after_step > steps) {
+      fault.Fail(fault.LineOf("after_step"),
+                 fmt::format("after_step = {}, allowed 1 .. {}, the number of steps",
+                             scenario.faults.back().after_step, steps));
+    }
   }
   return scenario;
 }

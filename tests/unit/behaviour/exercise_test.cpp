@@ -1,7 +1,10 @@
 // Exercises that begin elsewhere, place things, and are chosen while the simulator runs.
+#include <map>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sim/scenario/catalogue.h"
 #include "sim/scenario/variation.h"
 #include "tests/unit/behaviour/operator.h"
 
@@ -156,6 +159,57 @@ TEST(Exercise, WhatDoesNotFitIsRefusedWithFileAndLine) {
   step.steps[0].object = "bucket";
   step.steps[0].line = 12;
   EXPECT_EQ(error_of(step), "a.toml:12: object 'bucket' is not in module 3 (bomb)");
+}
+
+TEST(Exercise, StartOutsideOfItsAreaIsRefused) {
+  Scenario scenario = In(1, "a");
+  scenario.area = {{1, -1}, {3, -1}, {3, 1}, {1, 1}};
+  scenario.start.position = Eigen::Vector3d(2, 0, 0);
+  EXPECT_NO_THROW(CheckFits(scenario, TheWorld()));
+  scenario.start.position = Eigen::Vector3d(4, 0, 0);
+  EXPECT_THROW(CheckFits(scenario, TheWorld()), std::runtime_error);
+}
+
+const std::vector<Scenario>& Shipped() {
+  static const std::vector<Scenario> catalogue = LoadCatalogue(kData / "sim/scenarios");
+  return catalogue;
+}
+
+TEST(ShippedScenarios, FitTheWorldAndEveryModuleThatIsThereHasSome) {
+  std::map<int, int> count;
+  for (const Scenario& scenario : Shipped()) {
+    EXPECT_NO_THROW(CheckFits(scenario, TheWorld())) << scenario.name;
+    EXPECT_EQ(scenario.name, scenario.file.stem().string());
+    EXPECT_FALSE(scenario.steps.empty()) << scenario.name;
+    EXPECT_GT(scenario.par_time_s, 0) << scenario.name;
+    EXPECT_FALSE(scenario.title.empty()) << scenario.name;
+    ++count[scenario.module];
+  }
+  for (const ModuleModel& module : TheWorld().modules) {
+    EXPECT_GE(count[module.id], 2) << module.name;
+    EXPECT_LE(count[module.id], 15) << module.name << ": the menu has four bits";
+  }
+}
+
+TEST(ShippedScenarios, EveryVariationBeginsCalmly) {
+  for (const Scenario& scenario : Shipped()) {
+    for (uint64_t repetition = 0; repetition <= 10; ++repetition) {
+      Lesson dut(Vary(scenario, repetition), {}, {.start_mission = true});
+      dut.Step();
+      const RobotState first = dut.state();
+      dut.Step(750);  // 3 s, in which whatever was moved has settled
+      const StepResult& last = dut.dut.last();
+      SCOPED_TRACE(scenario.name + " " + std::to_string(repetition));
+      EXPECT_EQ(last.task.state, MissionState::kRun);
+      EXPECT_EQ(last.task.collisions, 0);
+      EXPECT_EQ(last.task.bomb_touches, 0);
+      EXPECT_TRUE(last.state == first);
+      for (const BodyState& body : dut.dut.bodies()) {
+        EXPECT_FALSE(body.is_moving);
+        EXPECT_GT(body.X_MO.linear()(2, 2), std::cos(0.1 * kDegree));
+      }
+    }
+  }
 }
 
 TEST(ExerciseMenu, NumberChoosesAmongTheModulesExercises) {
