@@ -104,6 +104,7 @@ class RunResult {
                               const CanBusCounters& counters) const {
     const sim::StepResult& last = simulator.last();
     return {{"scenario", scenario.name},
+            {"repetition", scenario.repetition},
             {"module", simulator.module().name},
             {"result", ResultText(last.task.state)},
             {"score", last.task.score},

@@ -89,6 +89,15 @@ class BadInput(unittest.TestCase):
         self.refuse(1, f"{path}:{line}.*par_tme_s.*par_time_s", "eod-sim", "--no-cameras",
                     "--scenario", str(path))
 
+    def test_scenario_name_that_is_unknown_names_the_nearest(self):
+        self.refuse(1, "'slope_frist'.*'slope_first'", "eod-sim", "--no-cameras", "--scenario",
+                    "slope_frist")
+
+    def test_broken_scenarios_of_a_folder_give_the_line(self):
+        path, line = self.broken(SCENARIO, "distance_m = 0.5", "distance_m = -5")
+        self.refuse(1, f"{path}:{line}.*distance_m = -5", "eod-sim", "--list", "--scenarios",
+                    str(self.folder))
+
     def test_operator_script_with_an_unknown_action_gives_the_line(self):
         path = self.folder / "bad.boxscript"
         path.write_text("key operate\nlevitate 3s\n")

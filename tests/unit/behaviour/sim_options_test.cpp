@@ -38,6 +38,14 @@ TEST(SimOptions, EachIsectorRuleCanBeLeftOut) {
   EXPECT_THAT(Describe(fixed), HasSubstr("dynamic loading on, fixed distance D0\n"));
 }
 
+TEST(SimOptions, ScenarioIsAFileOrANameAndMayBeVaried) {
+  const SimOptions options = Parse("--scenario slope_first --scenarios my --repetition 7");
+  EXPECT_EQ(options.scenario, "slope_first");
+  EXPECT_THAT(Describe(options), HasSubstr("slope_first, repetition 7; others from my\n"));
+  EXPECT_FALSE(options.list);
+  EXPECT_TRUE(Parse("--list").list);
+}
+
 TEST(SimOptions, GraspIsGuardedUnlessThePapersIsAskedFor) {
   EXPECT_EQ(Parse("").node.simulator.grasp, GraspMode::kGuarded);
   EXPECT_THAT(Describe(Parse("")), HasSubstr("grasp            guarded\n"));
