@@ -20,7 +20,8 @@ struct Channel {
 inline constexpr Channel kBoxCommandChannel{"EOD_BOX_COMMAND", "box_command_t", "canbridge",
                                             "sim, recorder, console", "on change, and every 20 ms"};
 inline constexpr Channel kRobotStateChannel{"EOD_ROBOT_STATE", "robot_state_t", "sim",
-                                            "canbridge, recorder", "every step"};
+                                            "canbridge, recorder, firmware_emu's scripts",
+                                            "every step"};
 inline constexpr Channel kAlarmChannel{"EOD_ALARM", "alarm_t", "sim, canbridge",
                                        "canbridge, recorder", "on change, and every 100 ms"};
 inline constexpr Channel kIsectorHitsChannel{"EOD_ISECTOR_HITS", "isector_hits_t", "sim",
@@ -32,6 +33,8 @@ inline constexpr Channel kMissionStatusChannel{"EOD_MISSION_STATUS", "mission_st
                                                "on change, and every 200 ms"};
 inline constexpr Channel kInstructorChannel{"EOD_INSTRUCTOR", "instructor_command_t",
                                             "any instructor's panel or test", "sim", "on change"};
+inline constexpr Channel kSceneChannel{"EOD_SCENE", "scene_t", "sim", "firmware_emu's scripts",
+                                       "on entering or a change of the exercise, and every 100 ms"};
 inline constexpr Channel kDriveCameraChannel{"EOD_CAMERA_DRIVE", "image_t", "sim",
                                              "recorder, console", "25 to 30 Hz"};
 inline constexpr Channel kMastCameraChannel{"EOD_CAMERA_MAST", "image_t", "sim",
@@ -46,10 +49,10 @@ inline constexpr Channel kPanelStatusChannel{"EOD_PANEL_STATUS", "panel_status_t
                                              "recorder", "on change, and every 100 ms"};
 
 inline constexpr std::array kChannels{
-    kBoxCommandChannel, kRobotStateChannel,    kAlarmChannel,      kIsectorHitsChannel,
-    kLinkStatusChannel, kMissionStatusChannel, kInstructorChannel, kDriveCameraChannel,
-    kMastCameraChannel, kGripperCameraChannel, kRearCameraChannel, kPanelCommandChannel,
-    kPanelStatusChannel};
+    kBoxCommandChannel,   kRobotStateChannel,    kAlarmChannel,         kIsectorHitsChannel,
+    kLinkStatusChannel,   kMissionStatusChannel, kInstructorChannel,    kSceneChannel,
+    kDriveCameraChannel,  kMastCameraChannel,    kGripperCameraChannel, kRearCameraChannel,
+    kPanelCommandChannel, kPanelStatusChannel};
 
 /// Name of `channel` on the wire for the station `prefix` (empty for a single station).
 inline std::string ChannelName(std::string_view prefix, const Channel& channel) {

@@ -1,6 +1,7 @@
 #include "sim/message_node.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -40,6 +41,26 @@ void FillHit(const Simulator& simulator, const SegmentHit& hit, size_t i, isecto
   message.object[i] = simulator.world().ObjectName(hit.hit ? hit.object : -1);
   message.object_class[i] = hit.hit ? static_cast<int32_t>(hit.object_class) : 0;
   message.triangle[i] = hit.hit ? hit.triangle : -1;
+}
+
+void Resize(size_t count, scene_t& message) {
+  message.num_objects = static_cast<int16_t>(count);
+  message.name.resize(count);
+  message.position_m.resize(count, std::vector<double>(3));
+  for (auto* numbers : {&message.heading_deg, &message.tilt_deg}) numbers->resize(count);
+  for (auto* flags : {&message.is_movable, &message.is_held, &message.is_gone}) {
+    flags->assign(count, 0);
+  }
+}
+
+/// Object i of the scene: its pose, and the point of it [m] that is told as its position.
+void FillObject(const std::string& name, const Eigen::Isometry3d& X_MO, const Eigen::Vector3d& p_O,
+                size_t i, scene_t& message) {
+  const Eigen::Matrix3d& R_MO = X_MO.linear();
+  message.name[i] = name;
+  Eigen::Map<Eigen::Vector3d>{message.position_m[i].data()} = X_MO * p_O;
+  message.heading_deg[i] = ToDegrees(WrapHeading(std::atan2(-R_MO(0, 1), R_MO(1, 1))));
+  message.tilt_deg[i] = ToDegrees(std::acos(std::clamp(R_MO(2, 2), -1.0, 1.0)));
 }
 
 }  // namespace
@@ -145,6 +166,26 @@ void Fill(const RobotModel& robot, const Simulator& simulator, isector_hits_t& m
     FillHit(simulator, cast.hit, i, message);
     message.threshold_m[i] = contact.threshold;
     message.contact[i] = contact.contact ? 1 : 0;
+  }
+}
+
+void Fill(const Simulator& simulator, scene_t& message) {
+  const ModuleModel& module = simulator.module();
+  const std::span<const BodyState> bodies = simulator.bodies();
+  message.utime = ToUtime(simulator.last().time);
+  message.module = static_cast<int8_t>(simulator.last().module);
+  PutPoint(module, Eigen::Vector3d::Zero(), message.origin_m);
+  Resize(bodies.size() + module.objects.size(), message);
+  for (size_t i = 0; i < bodies.size(); ++i) {
+    const MovableObject& movable = module.movables[i];
+    FillObject(movable.name, bodies[i].X_MO, movable.p_OC, i, message);
+    message.is_movable[i] = 1;
+    message.is_held[i] = bodies[i].is_held ? 1 : 0;
+    message.is_gone[i] = bodies[i].is_gone ? 1 : 0;
+  }
+  for (size_t i = 0; i < module.objects.size(); ++i) {
+    const WorldObject& fixed = module.objects[i];
+    FillObject(fixed.name, fixed.X_MO, Eigen::Vector3d::Zero(), bodies.size() + i, message);
   }
 }
 

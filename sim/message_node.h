@@ -5,6 +5,7 @@
 #include "eod/isector_hits_t.hpp"
 #include "eod/mission_status_t.hpp"
 #include "eod/robot_state_t.hpp"
+#include "eod/scene_t.hpp"
 
 #include "sim/simulator.h"
 
@@ -16,10 +17,12 @@ OperatorCommand ToCommand(const box_command_t& message, TimePoint received);
 InstructorCommand ToCommand(const instructor_command_t& message);
 
 // These fill a message with what the last step found. Poses leave the module's local frame for the
-// world's, radians become degrees. What the simulator does not know is left as it was.
+// world's (not in scene_t), radians become degrees. What the simulator does not know is left as it
+// was.
 
 void Fill(const Simulator& simulator, robot_state_t& message);
 void Fill(const Simulator& simulator, mission_status_t& message);
 void Fill(const RobotModel& robot, const Simulator& simulator, isector_hits_t& message);
+void Fill(const Simulator& simulator, scene_t& message);
 
 }  // namespace eod::sim

@@ -18,7 +18,8 @@ SimNode::SimNode(const SimNodeConfig& config, const RobotModel& robot, const Wor
       state_channel_(ChannelName(config.channel_prefix, kRobotStateChannel)),
       alarm_channel_(ChannelName(config.channel_prefix, kAlarmChannel)),
       mission_channel_(ChannelName(config.channel_prefix, kMissionStatusChannel)),
-      isectors_channel_(ChannelName(config.channel_prefix, kIsectorHitsChannel)) {
+      isectors_channel_(ChannelName(config.channel_prefix, kIsectorHitsChannel)),
+      scene_channel_(ChannelName(config.channel_prefix, kSceneChannel)) {
   alarm_message_.source = alarm_t::SOURCE_SIM;
   subscription_ = lcm_.subscribe(ChannelName(config.channel_prefix, kBoxCommandChannel),
                                  &SimNode::OnCommand, this);
@@ -66,6 +67,7 @@ void SimNode::Step(TimePoint scheduled) {
   ++published_;
   PublishAlarms(result);
   PublishMission(result);
+  PublishScene(result);
   if (config_.publish_isectors) {
     Fill(robot_, simulator_, isectors_message_);
     lcm_.publish(isectors_channel_, &isectors_message_);
@@ -112,6 +114,15 @@ void SimNode::PublishMission(const StepResult& result) {
   lcm_.publish(mission_channel_, &mission_message_);
   ++published_;
   mission_due_ = result.time + config_.mission_repeat;
+}
+
+void SimNode::PublishScene(const StepResult& result) {
+  const bool is_other_module = scene_message_.module != result.module;
+  if (!is_other_module && !result.task_changed && result.time < scene_message_due_) return;
+  Fill(simulator_, scene_message_);
+  lcm_.publish(scene_channel_, &scene_message_);
+  ++published_;
+  scene_message_due_ = result.time + config_.scene_repeat;
 }
 
 /// Hands a copy of the step to the cameras, at their rate: they must never make a step wait.

@@ -13,6 +13,7 @@
 #include "eod/isector_hits_t.hpp"
 #include "eod/mission_status_t.hpp"
 #include "eod/robot_state_t.hpp"
+#include "eod/scene_t.hpp"
 
 #include "platform/clock.h"
 #include "sim/camera/camera_thread.h"
@@ -26,6 +27,7 @@ struct SimNodeConfig {
   bool publish_isectors = false;  ///< EOD_ISECTOR_HITS every step
   Duration alarm_repeat = std::chrono::milliseconds(100);
   Duration mission_repeat = std::chrono::milliseconds(200);
+  Duration scene_repeat = std::chrono::milliseconds(100);
 };
 
 /// What is to be shown to cameras, if there are any.
@@ -74,6 +76,7 @@ class SimNode {
   void PublishAlarms(const StepResult& result);
   void PublishAlarm(TimePoint time);
   void PublishMission(const StepResult& result);
+  void PublishScene(const StepResult& result);
   void ShowScene(const StepResult& result);
 
   SimNodeConfig config_;
@@ -93,15 +96,18 @@ class SimNode {
   TimePoint scene_due_{};
   TimePoint alarms_due_{};
   TimePoint mission_due_{};
+  TimePoint scene_message_due_{};
   // Messages and names keep their memory from step to step.
   robot_state_t state_message_{};
   alarm_t alarm_message_{};
   mission_status_t mission_message_{};
   isector_hits_t isectors_message_{};
+  scene_t scene_message_{};
   std::string state_channel_;
   std::string alarm_channel_;
   std::string mission_channel_;
   std::string isectors_channel_;
+  std::string scene_channel_;
 };
 
 }  // namespace eod::sim

@@ -1,6 +1,7 @@
 #include "sim/sim_node.h"
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <gmock/gmock.h>
@@ -150,6 +151,54 @@ TEST_F(SimNodeTest, AlarmChangesAreToldAtOnceAndTheSetIsRepeated) {
     EXPECT_EQ(alarm.utime, first->utime);
   }
   EXPECT_EQ(changes, 2u);
+}
+
+TEST_F(SimNodeTest, TheSceneIsToldAtOnceAndEvery100MillisecondsInTheModulesFrame) {
+  Inbox<scene_t> scenes(lcm_, Name(kSceneChannel));
+  Tick(1);
+  ASSERT_EQ(scenes.messages.size(), 1u);
+  Tick(25);
+  ASSERT_EQ(scenes.messages.size(), 2u);
+  const scene_t& scene = scenes.messages.back();
+  EXPECT_EQ(scene.utime - scenes.messages.front().utime, 100000);
+  const ModuleModel& module = dut_->simulator().module();
+  EXPECT_EQ(scene.module, module.id);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(scene.origin_m[i], module.p_WM[i]);
+  const size_t movables = module.movables.size();
+  ASSERT_EQ(scene.name.size(), movables + module.objects.size());
+  for (size_t i = 0; i < scene.name.size(); ++i) {
+    EXPECT_EQ(scene.is_movable[i] != 0, i < movables) << scene.name[i];
+  }
+  for (size_t i = 0; i < module.objects.size(); ++i) {
+    const WorldObject& fixed = module.objects[i];
+    EXPECT_EQ(scene.name[movables + i], fixed.name);
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_EQ(scene.position_m[movables + i][axis], fixed.X_MO.translation()[axis]);
+    }
+    const double heading = ToAttitude(fixed.X_MO.linear()).heading * (180 / std::numbers::pi);
+    EXPECT_NEAR(std::remainder(scene.heading_deg[movables + i] - heading, 360), 0, 1e-9);
+  }
+}
+
+TEST_F(SimNodeTest, TheSceneFollowsTheModuleTheMenuEnters) {
+  Inbox<scene_t> scenes(lcm_, Name(kSceneChannel));
+  Tick(3);
+  command_.menu_module = 3;
+  command_.menu_command = kMenuStart;
+  Command({}, 1);
+  ASSERT_EQ(scenes.messages.size(), 2u);
+  const scene_t& scene = scenes.messages.back();
+  EXPECT_EQ(scene.module, 3);
+  const auto& movables = dut_->simulator().module().movables;
+  ASSERT_FALSE(movables.empty());
+  for (size_t i = 0; i < movables.size(); ++i) {
+    EXPECT_EQ(scene.name[i], movables[i].name);
+    EXPECT_NEAR(scene.tilt_deg[i], 0, 0.1);
+    const Eigen::Vector3d centre = movables[i].X_MO * movables[i].p_OC;
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_NEAR(scene.position_m[i][axis], centre[axis], 1e-3);
+    }
+  }
 }
 
 TEST_F(SimNodeTest, MissionIsToldOnChangeAndEvery200Milliseconds) {
