@@ -35,7 +35,10 @@ BoxNode::BoxNode(const BoxNodeConfig& config, CanBus& bus, lcm::LCM& lcm, const 
       map_(dbc::LoadControlMap(config.map_file)),
       box_(dbc::BoxCodec(dbc::LoadDatabase(config.dbc_file), map_), config.box),
       status_channel_(ChannelName(config.channel_prefix, kPanelStatusChannel)) {
-  if (config_.script) runner_.emplace(*config_.script);
+  if (config_.script) {
+    runner_.emplace(*config_.script);
+    eyes_.emplace(config_.channel_prefix, lcm_, clock_);
+  }
   subscription_ = lcm_.subscribe(ChannelName(config_.channel_prefix, kPanelCommandChannel),
                                  &BoxNode::OnPanelCommand, this);
 }
@@ -57,7 +60,7 @@ void BoxNode::OnCan() {
 }
 
 void BoxNode::OnTick(TimePoint scheduled) {
-  if (runner_) runner_->Tick(scheduled, box_.status(), hands_);
+  if (runner_) runner_->Tick(scheduled, box_.status(), eyes_->sight(), hands_);
   hands_.Tick(scheduled);
   const std::span<const CanFrame> frames = box_.Tick(scheduled, hands_.inputs());
   for (const CanFrame& frame : frames) bus_.Send(frame);

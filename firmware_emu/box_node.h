@@ -14,6 +14,7 @@
 #include "firmware_emu/operator_hands.h"
 #include "firmware_emu/panel_journal.h"
 #include "firmware_emu/script_runner.h"
+#include "firmware_emu/sight_node.h"
 #include "platform/can_bus.h"
 #include "platform/clock.h"
 
@@ -72,6 +73,7 @@ class BoxNode {
   ControlBox box_;
   OperatorHands hands_;
   std::optional<ScriptRunner> runner_;
+  std::optional<SightNode> eyes_;  ///< of the script; the box itself is blind
   PanelJournal journal_;
   std::string status_channel_;
   lcm::Subscription* subscription_ = nullptr;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "firmware_emu/seen_condition.h"
 #include "firmware_emu/vocabulary.h"
 
 namespace eod::box {
@@ -14,10 +15,12 @@ namespace {
 using Subject = Condition::Subject;
 using Comparison = Condition::Comparison;
 
-constexpr std::array<std::string_view, 26> kSubjects{
-    "lamp",    "lit",     "buzzer", "alarm", "inhibit", "state", "robot",  "mission", "module",
-    "link",    "heading", "pitch",  "roll",  "speed",   "joint", "score",  "step",    "collisions",
-    "battery", "travel",  "turned", "grasp", "bomb",    "fire",  "reason", "failure"};
+constexpr std::array<std::string_view, 35> kSubjects{
+    "lamp",    "lit",      "buzzer", "alarm",      "inhibit", "state",  "robot",
+    "mission", "module",   "link",   "heading",    "pitch",   "roll",   "speed",
+    "joint",   "score",    "step",   "collisions", "battery", "travel", "turned",
+    "grasp",   "bomb",     "fire",   "reason",     "failure", "x",      "y",
+    "z",       "distance", "ahead",  "side",       "height",  "tilt",   "seen"};
 constexpr std::array<std::string_view, 4> kComparisons{">=", "<=", ">", "<"};
 constexpr std::array<std::string_view, 2> kDownUp{"down", "up"};
 constexpr int kAnyPattern = 1;  // "on": lit steadily or blinking
@@ -78,6 +81,24 @@ bool Compare(const Condition& condition, double value) {
       return difference < 0;
   }
   return false;
+}
+
+bool HoldsByEye(const Condition& condition, const Sight* sight) {
+  if (sight == nullptr) return false;
+  const std::optional<double> seen = SeenQuantity(condition, *sight);
+  if (!seen) return false;
+  const bool is_true = condition.subject == Subject::kSeen ? *seen != 0 : Compare(condition, *seen);
+  return is_true != condition.is_negated;
+}
+
+std::string ObservedByEye(const Condition& condition, const Sight* sight) {
+  if (sight == nullptr) return std::string(kNothingSeen);
+  const std::string_view subject = kSubjects[static_cast<size_t>(condition.subject)];
+  const std::optional<double> seen = SeenQuantity(condition, *sight);
+  if (!seen || condition.subject == Subject::kSeen) return NotSeen(condition.object, *sight);
+  return IsOfObject(condition.subject)
+             ? fmt::format("{} {} is {:.3f}", subject, condition.object, *seen)
+             : fmt::format("{} is {:.3f}", subject, *seen);
 }
 
 bool MatchesPattern(int wanted, dbc::LampPattern shown) {
@@ -230,18 +251,25 @@ Condition ParseCondition(WordReader& words) {
       condition.index = words.TakeInteger(1, dbc::kJointCount) - 1;
       TakeComparison(condition, words);
       break;
+    case Subject::kSeen:
+      condition.object = words.Take("the name of an object");
+      break;
     default:
+      if (IsOfObject(condition.subject)) condition.object = words.Take("the name of an object");
       TakeComparison(condition, words);
   }
   return condition;
 }
 
-bool Holds(const Condition& condition, const PanelStatus& status, const Odometer& odometer) {
+bool Holds(const Condition& condition, const PanelStatus& status, const Odometer& odometer,
+           const Sight* sight) {
+  if (IsByEye(condition.subject)) return HoldsByEye(condition, sight);
   return IsTrue(condition, status, odometer) != condition.is_negated;
 }
 
 std::string Observed(const Condition& condition, const PanelStatus& status,
-                     const Odometer& odometer) {
+                     const Odometer& odometer, const Sight* sight) {
+  if (IsByEye(condition.subject)) return ObservedByEye(condition, sight);
   const std::string subject = SubjectText(condition);
   if (condition.subject == Subject::kInhibit) {
     return fmt::format("inhibit mask is 0x{:06X}", status.feedback.inhibit_mask);

@@ -17,7 +17,8 @@ namespace {
 
 using Kind = Statement::Kind;
 
-constexpr std::string_view kStatementWords = "wait, hold, expect, note, fail";
+constexpr std::string_view kStatementWords =
+    "wait, hold, drive, turn, approach, expect, note, fail";
 
 bool BeginsWithDigit(std::string_view word) {
   return !word.empty() && word.front() >= '0' && word.front() <= '9';
@@ -66,6 +67,12 @@ void ParseHold(Statement& statement, WordReader& words) {
   }
 }
 
+void ParseWay(Statement& statement, std::string_view verb, WordReader& words) {
+  statement.kind = Kind::kManoeuvre;
+  statement.manoeuvre = ParseManoeuvre(verb, words);
+  statement.duration = words.TakeIf("within") ? words.TakeDuration() : Manoeuvre::kUsualLimit;
+}
+
 Statement ParseStatement(WordReader& words) {
   Statement statement;
   const std::string verb = words.Take("an action");
@@ -73,6 +80,8 @@ Statement ParseStatement(WordReader& words) {
     ParseWait(statement, words);
   } else if (verb == "hold") {
     ParseHold(statement, words);
+  } else if (IsManoeuvreWord(verb)) {
+    ParseWay(statement, verb, words);
   } else if (verb == "expect") {
     statement.kind = Kind::kExpect;
     statement.condition = ParseCondition(words);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "firmware_emu/condition.h"
+#include "firmware_emu/manoeuvre.h"
 #include "firmware_emu/panel_action.h"
 #include "platform/time.h"
 
@@ -20,6 +21,7 @@ struct Statement {
     kWaitUntil,
     kHoldFor,
     kHoldUntil,
+    kManoeuvre,
     kExpect,
     kNote,
     kFail
@@ -31,7 +33,8 @@ struct Statement {
   PanelAction press;    ///< kHold…: motions pressed, or a preset requested, when it begins
   PanelAction release;  ///< kHold…: the same let go when it ends
   Condition condition;
-  Duration duration{};  ///< kWaitFor, kHoldFor: how long; …Until: at most
+  Manoeuvre manoeuvre;
+  Duration duration{};  ///< kWaitFor, kHoldFor: how long; …Until, kManoeuvre: at most
   std::string message;  ///< kNote, kFail
 };
 

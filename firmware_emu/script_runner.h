@@ -8,6 +8,8 @@
 #include "firmware_emu/operator_hands.h"
 #include "firmware_emu/panel_status.h"
 #include "firmware_emu/script.h"
+#include "firmware_emu/sight.h"
+#include "firmware_emu/steering.h"
 #include "platform/time.h"
 
 namespace eod::box {
@@ -20,9 +22,9 @@ class ScriptRunner {
 
   explicit ScriptRunner(Script script);
 
-  /// Does what is due at `now`. On failure all motions, the preset and the enabling switch are let
-  /// go.
-  void Tick(TimePoint now, const PanelStatus& status, OperatorHands& hands);
+  /// Does what is due at `now`, by what the box shows and what is seen. On failure all motions, the
+  /// preset and the enabling switch are let go.
+  void Tick(TimePoint now, const PanelStatus& status, const Sight& sight, OperatorHands& hands);
 
   bool is_done() const { return is_done_; }
   /// "FILE:LINE: why" once the script has failed.
@@ -33,8 +35,16 @@ class ScriptRunner {
   std::vector<std::string> TakeNotes();
 
  private:
-  bool HasEnded(const Statement& statement, TimePoint now, const PanelStatus& status);
-  bool HasCome(const Statement& statement, TimePoint now, const PanelStatus& status);
+  /// What this tick has to go by.
+  struct Evidence {
+    TimePoint now;
+    const PanelStatus& status;
+    const Sight* sight;  ///< null: nothing is seen
+  };
+
+  bool HasEnded(const Statement& statement, const Evidence& evidence, OperatorHands& hands);
+  bool HasCome(const Statement& statement, const Evidence& evidence);
+  bool HasArrived(const Statement& statement, const Evidence& evidence, OperatorHands& hands);
   void Begin(const Statement& statement, TimePoint now, const PanelStatus& status,
              OperatorHands& hands);
   void Fail(const Statement& statement, const std::string& why);
@@ -44,6 +54,8 @@ class ScriptRunner {
   bool has_begun_ = false;
   TimePoint begin_{};
   Odometer odometer_;
+  Steering steering_;
+  TimePoint seen_{};  ///< kManoeuvre: when it last saw its way, or began
   bool is_done_ = false;
   std::optional<std::string> failure_;
   std::vector<std::string> notes_;

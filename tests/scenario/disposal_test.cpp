@@ -39,9 +39,10 @@ TEST_P(WholeMission, EndsInTheVesselWithAllPoints) {
 
 INSTANTIATE_TEST_SUITE_P(Charges, WholeMission,
                          ::testing::Values(Disposing{"bomb_ground", "bomb_ground_m"},
+                                           Disposing{"bomb_ground_m", "bomb_ground_m"},
                                            Disposing{"bomb_bench", "bomb_bench_l"},
                                            Disposing{"bomb_chamber", "bomb_chamber_m"}),
-                         [](const auto& mission) { return mission.param.scenario; });
+                         [](const auto& mission) { return mission.param.script; });
 
 TEST(Disposal, FromTheTableToTheCanIsTheSameBitsTwice) {
   Mission first = ShippedMission("bomb_table", "bomb_table_s");

@@ -136,6 +136,35 @@ TEST_F(Node, ListensOnTheChannelsOfItsStation) {
   EXPECT_TRUE(statuses_.empty());
 }
 
+TEST_F(Node, AScriptSeesTheRobotInTheModulesFrameOnceBothMessagesFit) {
+  BoxNodeConfig config = ShippedConfig();
+  config.script = ParseScript("wait x >= 2.9 within 60s\nexpect y < 4.1\nexpect ahead can > 6.9\n",
+                              "a.boxscript");
+  Start(config);
+  robot_state_t robot{};
+  robot.module = 3;
+  robot.position_m[0] = 1003;
+  robot.position_m[1] = -496;
+  scene_t scene{};
+  scene.module = 1;
+  scene.origin_m[0] = 1000;
+  scene.origin_m[1] = -500;
+  scene.num_objects = 1;
+  scene.name = {"can"};
+  scene.position_m = {{3, 11, 0}};
+  scene.heading_deg = scene.tilt_deg = {0};
+  scene.is_movable = scene.is_held = scene.is_gone = {0};
+  lcm_.publish("EOD_ROBOT_STATE", &robot);
+  lcm_.publish("EOD_SCENE", &scene);
+  Run(2);
+  EXPECT_FALSE(dut_->is_script_done()) << "of another module";
+  scene.module = 3;
+  lcm_.publish("EOD_SCENE", &scene);
+  Run(2);
+  EXPECT_TRUE(dut_->is_script_done());
+  EXPECT_EQ(dut_->script_failure(), std::nullopt);
+}
+
 TEST_F(Node, TwoRunsSendTheSameFrames) {
   const auto run = [this](const std::string& bus) {
     ManualClock clock;

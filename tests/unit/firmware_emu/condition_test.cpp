@@ -16,16 +16,17 @@ class ConditionOn : public testing::Test {
     WordReader words(text);
     const Condition condition = ParseCondition(words);
     words.RequireEnd();
-    return Holds(condition, status_, odometer_);
+    return Holds(condition, status_, odometer_, sight_);
   }
   std::string Seen(std::string_view text) const {
     WordReader words(text);
-    return Observed(ParseCondition(words), status_, odometer_);
+    return Observed(ParseCondition(words), status_, odometer_, sight_);
   }
   dbc::LampPattern& lamp(dbc::Lamp lamp) { return status_.lamp[static_cast<size_t>(lamp)]; }
 
   PanelStatus status_;
   Odometer odometer_;
+  const Sight* sight_ = nullptr;
 };
 
 std::string ErrorOf(std::string_view text) {
@@ -168,6 +169,52 @@ TEST(ConditionText, ErrorsNameTheWordAndWhatIsAllowed) {
   EXPECT_EQ(ErrorOf("alarm red"), "'red': allowed: a whole number 1..255");
   EXPECT_EQ(ErrorOf("fire hot"), "'hot': allowed: safe, armed_wait, ready, fired, fault, time_out");
   EXPECT_EQ(ErrorOf("link"), "'end of line': allowed: down, up");
+}
+
+class ConditionByEye : public ConditionOn {
+ protected:
+  ConditionByEye() {
+    // It looks along -X; the can is 3 m ahead and 1 m to the right.
+    scene_.position = {2, 5, 0.1};
+    scene_.heading_deg = 90;
+    scene_.objects = {{.name = "can", .position = {-1, 6, 0.4}},
+                      {.name = "box", .position = {2, 5, 0}, .tilt_deg = 30},
+                      {.name = "shot", .is_gone = true}};
+    sight_ = &scene_;
+  }
+  Sight scene_;
+};
+
+TEST_F(ConditionByEye, KnowsWhereTheRobotIs) {
+  EXPECT_TRUE(Is("x >= 2"));
+  EXPECT_FALSE(Is("y < 5"));
+  EXPECT_TRUE(Is("not z > 0.2"));
+  EXPECT_EQ(Seen("y < 5"), "y is 5.000");
+}
+
+TEST_F(ConditionByEye, KnowsWhereThingsAreFromTheRobot) {
+  EXPECT_EQ(Seen("ahead can > 9"), "ahead can is 3.000");
+  EXPECT_EQ(Seen("side can > 9"), "side can is 1.000");
+  EXPECT_EQ(Seen("distance can > 9"), "distance can is 3.162");
+  EXPECT_EQ(Seen("height can > 9"), "height can is 0.400");
+  EXPECT_TRUE(Is("tilt box >= 30"));
+  EXPECT_TRUE(Is("seen box"));
+  EXPECT_FALSE(Is("not seen box"));
+}
+
+TEST_F(ConditionByEye, DoesNotHoldOfWhatIsNotSeen) {
+  for (const char* text : {"distance shot < 9", "not distance shot < 9", "distance ghost < 9"}) {
+    EXPECT_FALSE(Is(text)) << text;
+  }
+  EXPECT_TRUE(Is("not seen shot"));
+  EXPECT_EQ(Seen("tilt ghost > 1"), "'ghost' is not seen; seen are can, box");
+}
+
+TEST_F(ConditionByEye, DoesNotHoldWithoutEyes) {
+  sight_ = nullptr;
+  EXPECT_FALSE(Is("x > -100"));
+  EXPECT_FALSE(Is("not seen shot"));
+  EXPECT_THAT(Seen("x > -100"), testing::HasSubstr("sees nothing"));
 }
 
 }  // namespace

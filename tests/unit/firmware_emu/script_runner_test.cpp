@@ -19,7 +19,7 @@ class Runner : public testing::Test {
     for (int i = 0; i <= ms; ++i) {
       if (i > 0) now_ += milliseconds(1);
       if (now_.time_since_epoch() % milliseconds(50) == Duration::zero()) status_.pose_time = now_;
-      dut_->Tick(now_, status_, hands_);
+      dut_->Tick(now_, status_, sight_, hands_);
       hands_.Tick(now_);
     }
   }
@@ -27,6 +27,7 @@ class Runner : public testing::Test {
 
   TimePoint now_ = At(seconds(5));
   PanelStatus status_;
+  Sight sight_;
   OperatorHands hands_;
   std::optional<ScriptRunner> dut_;
 };
@@ -182,6 +183,101 @@ TEST_F(Runner, ZeroWaitAndZeroWithinAreAllowed) {
   Play("wait 0s\nwait link down within 0s\nkey operate");
   EXPECT_TRUE(dut_->is_done());
   EXPECT_FALSE(dut_->failure());
+}
+
+class RunnerByEye : public Runner {
+ protected:
+  RunnerByEye() {
+    sight_.has_robot = true;
+    sight_.objects = {{.name = "can", .position = {0, 6, 0.4}}};
+  }
+  /// What is seen now stays, with the robot at `y` and going at `speed`.
+  void See(double y, double speed_mps) {
+    sight_.robot_time = sight_.scene_time = now_;
+    sight_.position[1] = y;
+    sight_.speed_mps = speed_mps;
+  }
+  void Watch(int ms, double y, double speed_mps = 0) {
+    for (int i = 0; i < ms; ++i) {
+      See(y, speed_mps);
+      Run(1);
+    }
+  }
+};
+
+TEST_F(RunnerByEye, DrivesTowardAPointAndSlowsDownBeforeIt) {
+  See(0, 0);
+  Play("speed high\ndrive to 0 3");
+  Watch(300, 0);
+  EXPECT_TRUE(IsPressed(1));
+  EXPECT_EQ(hands_.inputs().controls.speed_range, dbc::SpeedRange::kHigh);
+  Watch(10, 2.5, 0.67);
+  EXPECT_EQ(hands_.inputs().controls.speed_range, dbc::SpeedRange::kLow);
+  Watch(10, 2.9, 0.3);
+  EXPECT_EQ(hands_.inputs().controls.speed_range, dbc::SpeedRange::kCreep);
+  EXPECT_TRUE(IsPressed(1));
+  Watch(10, 2.995, 0.1);
+  EXPECT_FALSE(IsPressed(1));
+  Watch(300, 3.0);
+  EXPECT_TRUE(dut_->is_done());
+  EXPECT_FALSE(dut_->failure());
+  EXPECT_EQ(hands_.inputs().controls.speed_range, dbc::SpeedRange::kHigh);
+}
+
+TEST_F(RunnerByEye, TurnsTowardTheGoalTheShortWayRound) {
+  See(0, 0);
+  Play("turn to 300");
+  Watch(300, 0);
+  EXPECT_TRUE(IsPressed(4));
+  EXPECT_FALSE(IsPressed(1));
+}
+
+TEST_F(RunnerByEye, RearFirstItReverses) {
+  See(0, 0);
+  Play("drive to 0 -3 backwards");
+  Watch(300, 0);
+  EXPECT_TRUE(IsPressed(2));
+}
+
+TEST_F(RunnerByEye, WithoutEyesAManoeuvreFails) {
+  Play("drive to 0 3");
+  Run(499);
+  EXPECT_FALSE(dut_->failure());
+  Run(1);
+  EXPECT_EQ(dut_->failure(),
+            "a.boxscript:1: drive to 0 3: the operator sees nothing: no EOD_ROBOT_STATE and "
+            "EOD_SCENE on LCM");
+}
+
+TEST_F(RunnerByEye, LetsGoWhenSightIsLost) {
+  See(0, 0);
+  Play("drive to 0 3");
+  Watch(300, 0);
+  ASSERT_TRUE(IsPressed(1));
+  Run(501);
+  EXPECT_FALSE(IsPressed(1));
+  EXPECT_FALSE(dut_->failure());
+  Run(500);
+  EXPECT_TRUE(dut_->failure());
+}
+
+TEST_F(RunnerByEye, AnObjectThatIsNotThereFailsWithWhatIs) {
+  See(0, 0);
+  Play("approach ghost at 1.2");
+  EXPECT_EQ(dut_->failure(),
+            "a.boxscript:1: approach ghost at 1.2: 'ghost' is not seen; seen are can");
+}
+
+TEST_F(RunnerByEye, TimeThatIsUpSaysWhatIsLeft) {
+  See(0, 0);
+  Play("drive to 0 3 within 2s");
+  Watch(1999, 0);
+  EXPECT_FALSE(dut_->failure());
+  Watch(1, 0);
+  EXPECT_EQ(dut_->failure(),
+            "a.boxscript:1: drive to 0 3 within 2s: time is up: 3.000 m and 0.0 deg are left, "
+            "inhibit reason is none");
+  EXPECT_FALSE(IsPressed(1));
 }
 
 }  // namespace

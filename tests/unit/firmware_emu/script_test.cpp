@@ -85,7 +85,9 @@ TEST(Script, APresetThatIsHeldIsNotNone) {
 TEST(Script, ErrorsNameFileLineWordAndWhatIsAllowed) {
   EXPECT_THAT(
       ErrorOf("key operate\nlevitate 3s\n"),
-      StartsWith("a.boxscript:2: 'levitate': allowed: wait, hold, expect, note, fail, press"));
+      StartsWith(
+          "a.boxscript:2: 'levitate': allowed: wait, hold, drive, turn, approach, expect, note, "
+          "fail, press"));
   EXPECT_THAT(ErrorOf("wait 3"), StartsWith("a.boxscript:1: '3': allowed: a time such as 2.5s"));
   EXPECT_THAT(ErrorOf("wait 4000s"), HasSubstr("'4000s'"));
   EXPECT_THAT(ErrorOf("wait"), HasSubstr("'end of line': allowed: lamp"));
@@ -121,6 +123,35 @@ TEST(Script, ShippedScriptsAreSound) {
     ++count;
   }
   EXPECT_GE(count, 3);
+}
+
+TEST(Script, ReadsWaysByEye) {
+  const Script script = ParseScript(
+      "drive to 1.5 -2 backwards within 60s\ndrive to can at 1.05\nturn to -90\nturn to can\n"
+      "approach charge_m at 1.2 -0.1 within 90s\ndrive to can\n",
+      "a.boxscript");
+  const auto way = [&script](size_t i) { return script.statements[i].manoeuvre; };
+  EXPECT_EQ(way(0).x, 1.5);
+  EXPECT_EQ(way(0).y, -2);
+  EXPECT_TRUE(way(0).backwards);
+  EXPECT_EQ(script.statements[0].duration, std::chrono::seconds(60));
+  EXPECT_EQ(way(1).kind, Manoeuvre::Kind::kApproach);
+  EXPECT_EQ(way(1).object, "can");
+  EXPECT_EQ(script.statements[1].duration, Manoeuvre::kUsualLimit);
+  EXPECT_EQ(way(2).heading_deg, -90);
+  EXPECT_EQ(way(3).object, "can");
+  EXPECT_EQ(way(4).ahead, 1.2);
+  EXPECT_EQ(way(4).side, -0.1);
+  EXPECT_EQ(way(5).kind, Manoeuvre::Kind::kDriveTo);
+}
+
+TEST(Script, RefusesWaysThatLeadNowhere) {
+  EXPECT_EQ(ErrorOf("drive 1 2"), "a.boxscript:1: '1': allowed: to");
+  EXPECT_EQ(ErrorOf("approach can"), "a.boxscript:1: 'end of line': allowed: at");
+  EXPECT_EQ(ErrorOf("approach can at 0.2"), "a.boxscript:1: '0.2': allowed: 0.4 m or more");
+  EXPECT_EQ(ErrorOf("turn to"),
+            "a.boxscript:1: 'end of line': allowed: a heading in degrees or the name of an object");
+  EXPECT_EQ(ErrorOf("drive to 1"), "a.boxscript:1: 'end of line': allowed: a number");
 }
 
 }  // namespace
