@@ -5,6 +5,9 @@
 
 namespace eod {
 
+/// Width of the terminal that standard output goes to [columns]; 0 if it goes elsewhere.
+int TerminalColumns();
+
 /// The user's terminal in raw mode, on its second screen with the cursor hidden, until destruction.
 /// A crash restores it too. Ctrl-C still raises SIGINT; Ctrl-Z and Ctrl-\ are off.
 class Terminal {

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "platform/run_main.h"
+#include "programs/batch_command.h"
 #include "programs/simulate.h"
 #include "sim/scenario/catalogue.h"
 
@@ -12,9 +13,12 @@ int main(int argc, char** argv) {
   eod::sim::SimOptions options;
   eod::AddStationOptions(app, station);
   eod::sim::AddSimOptions(app, options);
+  const eod::batch::BatchCommands batch(app);
   return eod::RunMain(app, EOD_VERSION, argc, argv, [&] {
     options.node.channel_prefix = station.lcm.channel_prefix;
-    if (options.list) {
+    if (batch.is_asked()) {
+      batch.Run();
+    } else if (options.list) {
       std::cout << eod::sim::DescribeCatalogue(eod::sim::LoadCatalogue(options.scenarios));
     } else if (station.describe) {
       std::cout << eod::sim::Describe(options);

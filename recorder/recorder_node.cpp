@@ -18,9 +18,9 @@
 #include "eod/robot_state_t.hpp"
 
 #include "lcmtypes/channels.h"
+#include "platform/terminal.h"
 #include "recorder/contact_sheet.h"
 #include "recorder/image_codec.h"
-#include "recorder/terminal.h"
 
 namespace eod::recorder {
 namespace {

@@ -3,7 +3,7 @@
 import re
 
 # Folders of the product. Everything else in the tree (build, out, hidden folders) is not looked at.
-TOP_FOLDERS = ("canbridge", "cmake", "console", "dbc", "firmware_emu", "lcmtypes", "lockstep",
+TOP_FOLDERS = ("batch", "canbridge", "cmake", "console", "dbc", "firmware_emu", "lcmtypes", "lockstep",
                "platform", "programs", "recorder", "scripts", "sim", "tests")
 
 FORBIDDEN_FOLDERS = ("common", "include", "src", "utils")
@@ -48,6 +48,7 @@ MAY_INCLUDE = {
     "console": ["platform", "lcmtypes"],
     "sim": ["platform", "lcmtypes", *_SIM_STAGES],
     "lockstep": ["firmware_emu", "canbridge", "sim", "dbc", "platform", "lcmtypes", *_SIM_STAGES],
+    "batch": ["lockstep", "firmware_emu", "canbridge", "sim", "dbc", "platform", "lcmtypes", *_SIM_STAGES],
     **_SIM_STAGES,
 }
 
