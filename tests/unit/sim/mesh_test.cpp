@@ -72,6 +72,24 @@ TEST_F(ObjFile, PolygonsAreCutIntoFans) {
   EXPECT_EQ(mesh[1][2], Vector3d(0, 1, 0));
 }
 
+TEST_F(ObjFile, NumbersOfAllKindsAreRead) {
+  const Mesh mesh =
+      ReadObj(Write("# a comment\r\nv +1.5 -2e-1\t.25\r\nv 1 0 0 1\n"
+                    "v 0 1 0\nvn 0 0 1\n\nf 1/1/1 -2//1 3"));
+  ASSERT_EQ(mesh.size(), 1u);
+  EXPECT_EQ(mesh[0][0], Vector3d(1.5, -0.2, 0.25));
+  EXPECT_EQ(mesh[0][1], Vector3d(1, 0, 0));
+  EXPECT_EQ(mesh[0][2], Vector3d(0, 1, 0));
+}
+
+TEST_F(ObjFile, MissingNumberIsNamed) {
+  for (const char* text : {"v 0 0\n", "v 0 0 x\n"}) {
+    EXPECT_THAT([&] { ReadObj(Write(text)); },
+                testing::ThrowsMessage<std::runtime_error>(testing::AllOf(
+                    testing::HasSubstr(":1: "), testing::HasSubstr("needs three numbers"))));
+  }
+}
+
 TEST_F(ObjFile, BadLineIsNamed) {
   const auto file = Write("v 0 0 0\nf 1 2 3\n");
   EXPECT_THAT([&] { ReadObj(file); }, testing::ThrowsMessage<std::runtime_error>(testing::AllOf(
