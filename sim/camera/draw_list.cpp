@@ -12,7 +12,8 @@
 namespace eod::sim {
 namespace {
 
-constexpr double kCell = 15.0;  // [m]
+constexpr double kCell = 15.0;        // [m]
+constexpr float kLandscape = 400.0F;  // [m] across
 constexpr Detail kFineWorld{.chamfer = 0.02};
 constexpr Detail kCoarseWorld{.max_segments = 10, .min_extent = 0.05};
 constexpr Detail kFineThing{.chamfer = 0.006};
@@ -54,6 +55,11 @@ DrawList ListOf(const std::map<int, Tessellation>& parts) {
 /// Flat ground takes shadows but throws none; leaving it out saves filling the whole shadow map.
 bool IsFlatGround(const DrawRange& range) { return range.bounds.max().z() < 0.03F; }
 
+/// Nor do hills and woods round a module: what is shaded is near.
+bool IsLandscape(const DrawRange& range) {
+  return range.bounds.sizes().head<2>().norm() > kLandscape;
+}
+
 int TextureOf(const Visual& visual, const std::filesystem::path& file) {
   try {
     return SurfaceTextureIndex(visual.material.texture);
@@ -80,7 +86,9 @@ DrawList BuildWorldDrawList(const ModuleModel& module) {
   }
   DrawList list;
   for (const auto& [key, part] : parts) AppendRange(part, std::get<0>(key), list);
-  for (DrawRange& range : list.ranges) range.casts_shadow = !IsFlatGround(range);
+  for (DrawRange& range : list.ranges) {
+    range.casts_shadow = !IsFlatGround(range) && !IsLandscape(range);
+  }
   return list;
 }
 

@@ -7,37 +7,14 @@
 #include <string>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "sim/camera/noise.h"
+#include "sim/camera/paint_pattern.h"
+#include "sim/camera/street_textures.h"
 
 namespace eod::sim {
 namespace {
-
-using Colour = Eigen::Vector3f;
-
-Colour Grey(float value) { return Colour::Constant(value); }
-
-Colour Mix(const Colour& a, const Colour& b, float share) { return a + (b - a) * share; }
-
-float SmoothStep(float low, float high, float value) {
-  const float t = std::clamp((value - low) / (high - low), 0.0F, 1.0F);
-  return t * t * (3.0F - 2.0F * t);
-}
-
-/// Position within a repeating cell: which cell, and where in it (0..1).
-struct Cell {
-  int index;
-  float place;
-};
-
-Cell CellOf(float coordinate, int cells) {
-  const float scaled = coordinate * static_cast<float>(cells);
-  const float floor = std::floor(scaled);
-  return {static_cast<int>(floor), scaled - floor};
-}
-
-/// Distance to the nearer edge of a cell, in shares of the cell.
-float EdgeDistance(float place) { return std::min(place, 1.0F - place); }
 
 /// Thin dark wandering lines: where a noise crosses its middle.
 float Crack(float u, float v, int period, float width, uint32_t seed) {
@@ -208,18 +185,17 @@ Canvas PaintHazard() {
 int SurfaceTextureIndex(std::string_view name) {
   const auto found = std::find(kSurfaceTextures.begin(), kSurfaceTextures.end(), name);
   if (found == kSurfaceTextures.end()) {
-    throw std::runtime_error(
-        fmt::format("cameras: texture \"{}\" is unknown; there are plain, grass, concrete, brick, "
-                    "asphalt, wood, metal, rubber, hazard",
-                    name));
+    throw std::runtime_error(fmt::format("cameras: texture \"{}\" is unknown; there are {}", name,
+                                         fmt::join(kSurfaceTextures, ", ")));
   }
   return static_cast<int>(found - kSurfaceTextures.begin());
 }
 
 Image PaintSurfaceTexture(int index) {
-  constexpr std::array kPainters{&PaintPlain, &PaintGrass,   &PaintConcrete,
-                                 &PaintBrick, &PaintAsphalt, &PaintWood,
-                                 &PaintMetal, &PaintRubber,  &PaintHazard};
+  constexpr std::array kPainters{
+      &PaintPlain,    &PaintGrass,   &PaintConcrete,   &PaintBrick,  &PaintAsphalt, &PaintWood,
+      &PaintMetal,    &PaintRubber,  &PaintHazard,     &PaintGravel, &PaintPaving,  &PaintPlaster,
+      &PaintRooftile, &PaintWindows, &PaintShopwindow, &PaintFruit,  &PaintLeaves};
   static_assert(kPainters.size() == kSurfaceTextures.size());
   return kPainters.at(static_cast<size_t>(index))().ToImage();
 }

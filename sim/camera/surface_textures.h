@@ -8,8 +8,10 @@
 namespace eod::sim {
 
 /// Names of the procedural textures, as materials use them (sim/geometry/visual.h).
-inline constexpr std::array<std::string_view, 9> kSurfaceTextures{
-    "plain", "grass", "concrete", "brick", "asphalt", "wood", "metal", "rubber", "hazard"};
+inline constexpr std::array<std::string_view, 17> kSurfaceTextures{
+    "plain",    "grass",   "concrete",   "brick",  "asphalt", "wood",
+    "metal",    "rubber",  "hazard",     "gravel", "paving",  "plaster",
+    "rooftile", "windows", "shopwindow", "fruit",  "leaves"};
 
 /// Index in kSurfaceTextures. Throws std::runtime_error that names the textures there are.
 int SurfaceTextureIndex(std::string_view name);
