@@ -7,11 +7,16 @@ from sdf_writer import box, cylinder, mesh, plane, sphere
 
 from .furniture import (barrel, broadleaf, building, conifer, container, crate, hurdle,
                         traffic_cone)
+from .gathered import Gathered
 from .module import Module, part
 from .scenery import fence
+from .solid import Solid
 from .surfaces import (ALONG_X, ALONG_Y, ASPHALT, BLACK, BLUE, BRICK, CONCRETE, CONCRETE_DARK, FOREST,
                        GRASS, GREEN, HAZARD, LINE, MEADOW, METAL, ORANGE, RED, WHITE, WOOD, WOOD_DARK,
                        YELLOW_LINE)
+
+
+GAPS = ((-12, 0.20), (0, 0.40))  # y where it begins, width
 
 
 def ground():
@@ -52,6 +57,21 @@ def board():
         link.visual(box(0.55, 0.05, 0.05), WOOD_DARK, (-0.30, side * 0.65, 0.025))
         link.visual(box(0.05, 0.04, 0.75), WOOD_DARK, (-0.30, side * 0.65, 0.33), (0, 38, 0))
     return link
+
+
+def gap_decks(width):
+    """Two decks 0.30 high and 1.2 m long with a gap between them, a ramp of 1.6 m before and behind; driven
+    along Y, begins at y = 0."""
+    whole, x, height, ramp, deck = Gathered(), (-1.2, 1.2), 0.30, 1.6, 1.2
+    far = 2 * (ramp + deck) + width
+    wood = Solid().wedge(x, (0, ramp), height).wedge(x, (far - ramp, far), -height)
+    for y in (ramp, far - ramp - deck):
+        wood.box(x, (y, y + deck), (0, height), without=("-z",))
+    whole.of("wood", WOOD).add(wood)
+    whole.body.add(wood)
+    for edge in ((ramp + deck - 0.08, ramp + deck), (far - ramp - deck, far - ramp - deck + 0.08)):
+        whole.of("edge", HAZARD).floor(x, edge, height + 0.004)
+    return whole
 
 
 def pylon():
@@ -123,6 +143,8 @@ def flat(folder):
         yard.model(f"cone_{i + 1}", traffic_cone(), (8, -5 + 2 * i, 0))
     for i, y in enumerate((-12.5, 12.5)):
         yard.model(f"pylon_{i + 1}", pylon(), (16, y, 0))
+    for y, width in GAPS:
+        gap_decks(width).stand(yard, f"gap_{round(100 * width)}", folder, (25, y, 0))
     yard.model("hurdle_1", hurdle(0.10), (-24, -4, 0))
     yard.model("hurdle_2", hurdle(0.20), (-24, 4, 0))
     for i, gap in enumerate((0, 90, 225, 180, 315)):

@@ -54,3 +54,12 @@ def loose_cone():
     link.visual(cone(0.15, 0.67), ORANGE, (0, 0, 0.365))
     link.collision(cylinder(0.11, 0.35), (0, 0, 0.205)).collision(cylinder(0.05, 0.30), (0, 0, 0.53))
     return link.visual(cylinder(0.088, 0.09), WHITE, (0, 0, 0.34))
+
+
+def wheeled_bin(surface):
+    """Two-wheeled bin, 0.58 x 0.70 m, 1.05 high; its frame on the ground."""
+    link = part().inertial(14.0, box_moments(14.0, 0.55, 0.60, 0.95), (0, 0, 0.45))
+    link.visual(box(0.52, 0.60, 0.86), surface, (0, 0, 0.51)).collision(box(0.52, 0.60, 0.94), (0, 0, 0.47))
+    link.visual(box(0.58, 0.70, 0.08), surface, (0, 0, 0.98)).collision(box(0.58, 0.70, 0.10), (0, 0, 0.99))
+    link.visual(box(0.50, 0.05, 0.04), BLACK, (0, 0.37, 0.99)).visual(box(0.40, 0.50, 0.08), BLACK, (0, -0.02, 0.04))
+    return link.visual(cylinder(0.09, 0.50), BLACK, (0, 0.25, 0.09), (0, 90, 0))

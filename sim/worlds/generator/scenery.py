@@ -38,6 +38,11 @@ def write_mesh(solid, name, folder, scale=None):
 
 def start_pad(scenery):
     scenery.pave("concrete", CONCRETE, (-1.5, 1.5), (-1.5, 1.5), 2)
+    start_frame(scenery)
+
+
+def start_frame(scenery):
+    """What is painted of a start pad, on whatever there is."""
     for side in (-1, 1):
         edge = sorted((side * 1.37, side * 1.47))
         scenery.pave("yellow", YELLOW_LINE, edge, (-1.47, 1.47), 3)

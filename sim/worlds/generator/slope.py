@@ -36,6 +36,7 @@ from sdf_writer import box, mesh
 
 from .furniture import barrel, building, container, crate, hurdle, traffic_cone
 from .module import Module, part
+from .rough_fields import crossing_ramps, skin_over, stepfield, whole_posts
 from .scenery import Scenery, fence, ground, land, start_pad, trees, write_mesh
 from .solid import Solid, write_text
 from .stairs import WEDGE, stairs
@@ -51,7 +52,7 @@ DITCHES = ((-32, 0.4), (-36, 0.6), (-40, 0.9))
 DITCH_DEPTH = 0.3
 KERB_LEAD_IN = 0.2
 BARS = ((-16, 0.10), (-20, 0.20), (-24, 0.40), (-28, 0.55))
-TILE_RUN, TILE_WIDTH, TILE_RISE = 0.59, 1.18, 0.17
+POSTS = (6, 15, 0.2)  # columns, rows, side [m]
 SIGNS = {0: "15", -4: "150", -8: "165", -12: "175", 32: "10", 36: "15", 40: "20", 44: "17", -44: "20"}
 
 
@@ -97,48 +98,9 @@ def side_slope():
     return solid
 
 
-def crossing_ramps():
-    """Two columns of half ramps, up and down in turn; the right one begins a tile later, so that one
-    track climbs while the other one descends."""
-    solid = Solid()
-    for x, first in (((-TILE_WIDTH, 0), 0.0), ((0, TILE_WIDTH), TILE_RUN)):
-        for i in range(6):
-            y = first + i * TILE_RUN
-            solid.wedge(x, (y, y + TILE_RUN), TILE_RISE if i % 2 == 0 else -TILE_RISE)
-    return solid
-
-
 def post_height(column, row):
     """Two waves along the way, shifted in every other column; in steps of 0.05 m."""
     return 0.05 * round(2 - 2 * math.cos(2 * math.pi * (row + 0.5 * (column % 2)) / 7))
-
-
-def stepfield(folder):
-    """6 x 15 posts, 0.2 m square. CLAMP is the skin over their upper edges, with a lead-in all round."""
-    posts, skin = Solid(), Solid()
-    columns, rows, side = 6, 15, 0.2
-    for i in range(columns):
-        for j in range(rows):
-            x, y = -0.6 + i * side, j * side
-            if post_height(i, j) > 0:
-                posts.box((x, x + side), (y, y + side), (0, post_height(i, j)), without=("-z",))
-
-    def corner(i, j):
-        near = [post_height(a, b) for a in (i - 1, i) for b in (j - 1, j)
-                if 0 <= a < columns and 0 <= b < rows]
-        border = i in (-1, columns + 1) or j in (-1, rows + 1)
-        return (-0.6 + i * side, j * side, 0.0 if border else max(near))
-
-    for i in range(-1, columns + 1):
-        for j in range(-1, rows + 1):
-            a, b, c, d = corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)
-            skin.face(a, b, c).face(a, c, d)
-    body = write_mesh(posts, "stepfield", folder)
-    link = part().visual(body, WOOD).collision(body, proxy="bump")
-    link.collision(write_mesh(skin, "stepfield_clamp", folder), proxy="clamp")
-    for x in (-0.63, 0.63):
-        link.visual(box(0.05, 3.0, 0.08), HAZARD, (x, 1.5, 0.04))
-    return link
 
 
 def kerb():
@@ -226,7 +188,8 @@ def slope(folder):
     for x, height in BARS:
         yard.model(f"bar_{round(100 * height)}", hurdle(height), (x, START, 0))
     yard.model("ditches", ditches())
-    yard.model("stepfield", stepfield(folder), (-44, START, 0))
+    posts, skin = whole_posts(*POSTS, post_height), skin_over(*POSTS, post_height)
+    yard.model("stepfield", stepfield("stepfield", posts, skin, 3.0, 1.2, folder), (-44, START, 0))
     yard.model("slope_fence", fence(HALF, "fence_60", folder))
     yard.model("slope_house", building(), (-20, 38, 0), 10)
     yard.model("slope_container", container(), (14, 34, 0), 80)

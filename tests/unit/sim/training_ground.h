@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -48,6 +49,12 @@ class BuiltModule {
   double HeightAt(double x, double y, uint32_t proxy = kBumpProxy) const {
     const Met met = Look({x, y, 5}, -Eigen::Vector3d::UnitZ(), proxy);
     return met.range < 0 ? -100 : met.point.z();
+  }
+
+  /// As World has it, for what is stood on.
+  std::optional<double> LevelGroundIn(const Eigen::AlignedBox3d& box) const {
+    CastMemory memory;
+    return world_->LevelGroundIn(box, module_.class_bit | kClampProxy, memory);
   }
 
  private:

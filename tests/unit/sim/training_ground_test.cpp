@@ -2,6 +2,7 @@
 #include "tests/unit/sim/training_ground.h"
 
 #include <cmath>
+#include <map>
 
 namespace eod::sim {
 namespace {
@@ -35,10 +36,10 @@ TEST_F(TrainingGround, HasAtLeastEighteenStaticModels) {
 
 TEST_F(TrainingGround, UnknownModuleNamesThoseThatThereAre) {
   try {
-    Model().Module(4);
+    Model().Module(6);
     FAIL() << "no error";
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("has no module 4, only 1 (flat), 2 (slope), 3 (bomb)"),
+    EXPECT_NE(std::string(error.what()).find("has no module 6, only 1 (flat), 2 (slope), 3 (bomb)"),
               std::string::npos)
         << error.what();
   }
@@ -108,6 +109,29 @@ TEST_F(TrainingGround, FenceClosesTheYard) {
   EXPECT_EQ(Look({-45, -12, 1}, -Vector3d::UnitX()).object, "fence");
   EXPECT_EQ(Look({20, 45, 1}, Vector3d::UnitY()).object, "fence");
   EXPECT_EQ(Look({20, -45, 1}, -Vector3d::UnitY()).object, "fence");
+}
+
+TEST_F(TrainingGround, GapsOfTheFlatModuleAreAsWideAsTheySay) {
+  for (const auto& [y, width] : {std::pair(-12.0, 0.20), {0.0, 0.40}}) {
+    const double edge = y + 1.6 + 1.2;
+    const Vector3d inside(25, edge + width / 2, 0.15);
+    EXPECT_NEAR(Look(inside, Vector3d::UnitY()).range, width / 2, 1e-9);
+    EXPECT_NEAR(Look(inside, -Vector3d::UnitY()).range, width / 2, 1e-9);
+    EXPECT_NEAR(Look({25, edge - 0.5, 1}, -Vector3d::UnitZ()).point.z(), 0.30, 1e-9);
+    EXPECT_NEAR(Look({25, edge + width + 0.5, 1}, -Vector3d::UnitZ()).point.z(), 0.30, 1e-9);
+  }
+}
+
+TEST_F(TrainingGround, NamesAreUniqueInAllModules) {
+  std::map<std::string, int> seen;
+  size_t still = 0;
+  for (const ModuleModel& module : Model().modules) {
+    still += module.objects.size();
+    for (const WorldObject& object : module.objects) ++seen[object.name];
+    for (const MovableObject& movable : module.movables) ++seen[movable.name];
+  }
+  for (const auto& [name, count] : seen) EXPECT_EQ(count, 1) << name;
+  EXPECT_GE(still, 90u);  // the source paper: nearly 100 static models
 }
 
 TEST_F(TrainingGround, PicturesStayWithinTheirBudget) {
