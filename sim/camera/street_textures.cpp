@@ -94,7 +94,7 @@ Canvas PaintPaving() {
   return canvas;
 }
 
-Canvas PaintPlaster() {
+Canvas PaintRender() {
   Canvas canvas(256, 256);
   canvas.Fill([](float u, float v) { return Grey(Render(u, v, 221)); });
   return canvas;

@@ -9,7 +9,7 @@ namespace eod::sim {
 
 Canvas PaintGravel();      ///< 1.5 m: loose stones
 Canvas PaintPaving();      ///< 1.2 m: three by three slabs
-Canvas PaintPlaster();     ///< 3 m: rendered wall with rain stains
+Canvas PaintRender();      ///< 3 m: rendered wall with rain stains
 Canvas PaintRooftile();    ///< 1.5 m: six courses of pantiles, eaves below
 Canvas PaintWindows();     ///< 6 m: rendered wall, two storeys of two windows each
 Canvas PaintShopwindow();  ///< 2 m: goods on boards behind glass

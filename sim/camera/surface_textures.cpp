@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "sim/camera/interior_textures.h"
 #include "sim/camera/noise.h"
 #include "sim/camera/paint_pattern.h"
 #include "sim/camera/street_textures.h"
@@ -194,8 +195,9 @@ int SurfaceTextureIndex(std::string_view name) {
 Image PaintSurfaceTexture(int index) {
   constexpr std::array kPainters{
       &PaintPlain,    &PaintGrass,   &PaintConcrete,   &PaintBrick,  &PaintAsphalt, &PaintWood,
-      &PaintMetal,    &PaintRubber,  &PaintHazard,     &PaintGravel, &PaintPaving,  &PaintPlaster,
-      &PaintRooftile, &PaintWindows, &PaintShopwindow, &PaintFruit,  &PaintLeaves};
+      &PaintMetal,    &PaintRubber,  &PaintHazard,     &PaintGravel, &PaintPaving,  &PaintRender,
+      &PaintRooftile, &PaintWindows, &PaintShopwindow, &PaintFruit,  &PaintLeaves,  &PaintPlaster,
+      &PaintCarpet,   &PaintTile,    &PaintCeiling,    &PaintBooks,  &PaintRack};
   static_assert(kPainters.size() == kSurfaceTextures.size());
   return kPainters.at(static_cast<size_t>(index))().ToImage();
 }

@@ -8,10 +8,10 @@
 namespace eod::sim {
 
 /// Names of the procedural textures, as materials use them (sim/geometry/visual.h).
-inline constexpr std::array<std::string_view, 17> kSurfaceTextures{
-    "plain",    "grass",   "concrete",   "brick",  "asphalt", "wood",
-    "metal",    "rubber",  "hazard",     "gravel", "paving",  "plaster",
-    "rooftile", "windows", "shopwindow", "fruit",  "leaves"};
+inline constexpr std::array<std::string_view, 23> kSurfaceTextures{
+    "plain",  "grass",   "concrete", "brick",  "asphalt",  "wood",    "metal",      "rubber",
+    "hazard", "gravel",  "paving",   "render", "rooftile", "windows", "shopwindow", "fruit",
+    "leaves", "plaster", "carpet",   "tile",   "ceiling",  "books",   "rack"};
 
 /// Index in kSurfaceTextures. Throws std::runtime_error that names the textures there are.
 int SurfaceTextureIndex(std::string_view name);

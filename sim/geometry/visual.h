@@ -9,7 +9,8 @@
 namespace eod::sim {
 
 /// How a surface looks. Textures are procedural, by name ("grass", "concrete", "brick", "asphalt",
-/// "wood", "metal", "rubber", "hazard", "plain"); they are made by sim/camera.
+/// "wood", "metal", "rubber", "hazard", "plaster", "carpet", "tile", "ceiling", "books", "rack",
+/// "plain"); they are made by sim/camera.
 struct Material {
   Eigen::Vector3f diffuse =
       Eigen::Vector3f::Constant(0.7F);  ///< linear 0..1, multiplies the texture

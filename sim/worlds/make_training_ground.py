@@ -16,6 +16,7 @@ from sdf_writer import HEADER, element, indent  # noqa: E402
 
 from generator.bomb import bomb  # noqa: E402
 from generator.flat import flat  # noqa: E402
+from generator.indoor import indoor  # noqa: E402
 from generator.land import write_forest, write_hills  # noqa: E402
 from generator.outdoor import outdoor  # noqa: E402
 from generator.slope import slope  # noqa: E402
@@ -35,7 +36,7 @@ def main():
         '<light name="sun" type="directional">', "  <direction>-0.45 0.52 -0.72</direction>",
         "  <diffuse>1 0.95 0.86 1</diffuse>", "  <cast_shadows>true</cast_shadows>", "</light>",
         *flat(meshes).lines(), *slope(meshes).lines(), *bomb(meshes).lines(),
-        *outdoor(meshes).lines()]
+        *outdoor(meshes).lines(), *indoor(meshes).lines()]
     world = element('world name="training_ground"', lines)
     text = HEADER.format(script="sim/worlds/make_training_ground.py") + "\n".join(indent(world))
     (folder / "training_ground.sdf").write_text(text + "\n</sdf>\n", encoding="utf-8", newline="\n")

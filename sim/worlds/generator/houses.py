@@ -12,8 +12,8 @@ from .surfaces import LAMP, RED, SHOPWINDOW, SLATES, TILES, TRIM, WHITE, YELLOW_
 
 BAY, STOREY, FLOOR, DEPTH = 3.0, 3.0, 0.3, 9.0
 GROUND = -FLOOR - 0.15  # down to the foot of the kerb
-STONE = Surface((0.52, 0.51, 0.48), "plaster", 3.0, 0.02)
-GABLES = Surface((0.78, 0.72, 0.62), "plaster", 3.0, 0.02)
+STONE = Surface((0.52, 0.51, 0.48), "render", 3.0, 0.02)
+GABLES = Surface((0.78, 0.72, 0.62), "render", 3.0, 0.02)
 PANE = Surface((0.10, 0.14, 0.18), "plain", 1.0, 0.9)
 RENDER = {"cream": (0.86, 0.79, 0.62), "ochre": (0.80, 0.58, 0.30), "rose": (0.76, 0.50, 0.42),
           "sky": (0.52, 0.64, 0.74), "grey": (0.60, 0.60, 0.58), "white": (0.88, 0.87, 0.84),

@@ -4,11 +4,11 @@ from sdf_writer import Link, element, numbers, pose
 
 
 class Module:
-    """One training area: collects its models."""
+    """One training area: collects its models, and its lights if it has any."""
 
     def __init__(self, number, name, origin, size):
         self.number, self.name, self.origin, self.size = number, name, origin, size
-        self.models = []
+        self.models, self.lights = [], []
 
     def model(self, name, link, xyz=(0, 0, 0), heading_deg=0):
         lines = ["<static>true</static>", *pose(xyz, (0, 0, heading_deg), self.name), *link.lines()]
@@ -31,7 +31,7 @@ class Module:
         return [f'<frame name="{self.name}"><pose>{numbers([*self.origin, 0, 0, 0])}</pose></frame>',
                 f'<eod:module id="{self.number}" name="{self.name}" frame="{self.name}" '
                 f'size_x_m="{numbers([x])}" size_y_m="{numbers([y])}" start_heading_deg="0"/>',
-                *self.models]
+                *self.lights, *self.models]
 
 
 def part():

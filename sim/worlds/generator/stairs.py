@@ -12,6 +12,7 @@ from .surfaces import CONCRETE, CONCRETE_DARK, METAL, YELLOW_LINE
 
 LEAD_IN = 0.10  # [m] radius of the robot's small wheels [C]
 WEDGE = "meshes/wedge.obj"
+WIDTH = 2.4  # [m] unless another one is asked for
 
 
 def clamp_ramp(link, width, y, z, steps, rise, run):
@@ -27,6 +28,8 @@ def flight(link, width, y, z, steps, rise, run, folder):
     """`steps` risers, the first one at y, going up from z; the last one is the face of what follows.
     Returns y and z of the last nosing."""
     name = f"stair_{steps}_{round(rise * 1000)}_{round(run * 1000)}"
+    if width != WIDTH:
+        name += f"_{round(width * 100)}_wide"
     x = (-width / 2, width / 2)
     treads, strips = Solid(), Solid()
     for i in range(1, steps):
@@ -65,7 +68,7 @@ def guard(link, width, points):
             link.collision(box(0.045, length, 0.55), at, (math.degrees(slope), 0, 0), proxy="bump")
 
 
-def stairs(name, flights, rise, run, landing, descent_deg, folder, width=2.4):
+def stairs(name, flights, rise, run, landing, descent_deg, folder, width=WIDTH):
     """Up the flights, over a platform of 2 m and down a ramp. Begins at y = 0 with the first riser."""
     link = part()
     y, z = 0.0, 0.0

@@ -14,7 +14,7 @@ BOOT_FLOOR, BOOT_WIDTH, BOOT_DEPTH = 0.60, 1.10, 0.85
 REAR = -CAR_LENGTH / 2
 VAN_LENGTH, VAN_WIDTH, VAN_HEIGHT = 5.20, 2.00, 2.45
 WHEEL = 0.31
-LINING = Surface((0.16, 0.16, 0.17), "plaster", 0.6, 0.02)
+LINING = Surface((0.16, 0.16, 0.17), "render", 0.6, 0.02)
 
 
 def loft(solid, sections, ends=True, sides=("left", "right", "top", "bottom")):
