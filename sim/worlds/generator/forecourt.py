@@ -63,10 +63,11 @@ def neighbour(width, depth, storeys, surface):
     for storey in range(storeys):
         for i in range(count):
             x, z = (i - (count - 1) / 2) * 2.6, 3.2 * storey + 0.9
-            for y in ((-depth / 2 - 0.03, -depth / 2), (depth / 2, depth / 2 + 0.03)):
-                block.show(WHITE, (x - 0.75, x + 0.75), y, (z, z + 1.5))
-                wide = (y[0] - 0.02, y[1] + 0.02)
-                block.show(GLASS, (x - 0.68, x + 0.68), wide, (z + 0.07, z + 1.43))
+            for side in (-1, 1):
+                for look, wide, proud in ((WHITE, 0.75, 0.02), (GLASS, 0.68, 0.05)):
+                    y = side * (depth / 2 + proud)
+                    corners = [(x - wide, y, z), (x + wide, y, z), (x + wide, y, z + 1.5), (x - wide, y, z + 1.5)]
+                    block.of(look).face(*(corners if side < 0 else reversed(corners)))
     return block
 
 

@@ -16,6 +16,9 @@ FLIGHT_WIDTH, WELL = 1.15, 0.10
 STEPS, RISE, RUN = 9, 0.165, 0.28
 FOOT_Y = HALL_Y[1]  # first riser
 LANDING_Y = (FOOT_Y + (STEPS - 1) * RUN, NORTH)
+# The upper flight begins a tread later: at its foot the robot's corners need that room to turn.
+UPPER_FOOT_Y = LANDING_Y[0] - RUN
+UPPER_TOP_Y = UPPER_FOOT_Y - (STEPS - 1) * RUN
 SERVER_X, SERVER_Y = (0.69, 6.3), (9.05, 12.55)
 SERVER_DOOR_Y, MEETING_DOOR_Y, OFFICE_101_DOOR_Y = 10.8, 11.2, 4.6
 HALL_DOOR_Y = 14.0

@@ -5,7 +5,8 @@ from sdf_writer import box, plane
 from .assembly import Assembly
 from .module import part
 from .office_plan import (BLIND_EAST, BLIND_NORTH, BLIND_SIDE, BLIND_SOUTH, CLEAR, EAST, EAST_WINDOWS, ENTRANCE,
-                          FOOT_Y, NORTH, NORTH_WINDOWS, OUTER, PARAPET, SOUTH, SOUTH_WINDOWS, STAIR_X, STOREY, WEST,
+                          FOOT_Y, NORTH, NORTH_WINDOWS, OUTER, PARAPET, SOUTH, SOUTH_WINDOWS, STAIR_X, STOREY, UPPER_CORRIDOR_X,
+                          UPPER_TOP_Y, WEST,
                           WEST_WINDOWS)
 from .scenery import write_mesh
 from .solid import Solid, write_text
@@ -77,9 +78,10 @@ def entrance_doors():
     return room
 
 
-def _grid(xs, ys, hole):
+def _grid(xs, ys, holes):
+    """Rectangles that share their corners, so that level ground is found to go on."""
     return [((a, b), (c, d)) for i, (a, b) in enumerate(zip(xs, xs[1:])) for j, (c, d) in enumerate(zip(ys, ys[1:]))
-            if (i, j) != hole]
+            if (i, j) not in holes]
 
 
 def floors(yard, folder):
@@ -90,10 +92,14 @@ def floors(yard, folder):
     base, slab = Solid().floor((WEST - OUTER, EAST + OUTER), (SOUTH - OUTER, NORTH + OUTER), 0.002), Solid()
     ground.visual(write_mesh(base, "office_base", folder), VINYL)
     top, under, edges = Solid(), Solid(), Solid()
-    for x, y in _grid((WEST, *STAIR_X, EAST), (SOUTH, FOOT_Y, NORTH), (1, 1)):
+    split = UPPER_CORRIDOR_X[0]
+    for x, y in _grid((WEST, STAIR_X[0], split, STAIR_X[1], EAST), (SOUTH, UPPER_TOP_Y, FOOT_Y, NORTH),
+                      ((1, 2), (2, 1), (2, 2))):
         top.floor(x, y, STOREY)
         under.face((x[0], y[0], CLEAR), (x[0], y[1], CLEAR), (x[1], y[1], CLEAR), (x[1], y[0], CLEAR))
-    edges.box(STAIR_X, (FOOT_Y - 0.02, FOOT_Y), (CLEAR, STOREY), without=("-x", "+x", "-y", "-z", "+z"))
+    for x, y in (((STAIR_X[0], split), FOOT_Y), ((split, STAIR_X[1]), UPPER_TOP_Y)):
+        edges.box(x, (y - 0.02, y), (CLEAR, STOREY), without=("-x", "+x", "-y", "-z", "+z"))
+    edges.box((split - 0.02, split), (UPPER_TOP_Y, FOOT_Y), (CLEAR, STOREY), without=("-x", "-y", "+y", "-z", "+z"))
     slab.add(under).add(edges)
     link = part().visual(write_mesh(top, "office_upper_floor", folder), VINYL)
     link.visual(write_mesh(under, "office_ceiling", folder), CEILING)

@@ -6,7 +6,8 @@ from sdf_writer import box
 
 from .assembly import Assembly
 from .module import part
-from .office_plan import (CLEAR, FLIGHT_WIDTH, FOOT_Y, LANDING_Y, RISE, RUN, STAIR_X, STEPS, STOREY, WELL)
+from .office_plan import (CLEAR, FLIGHT_WIDTH, FOOT_Y, LANDING_Y, RISE, RUN, STAIR_X, STEPS, STOREY,
+                          UPPER_FOOT_Y, UPPER_TOP_Y, WELL)
 from .scenery import write_mesh
 from .solid import Solid
 from .stairs import flight
@@ -32,17 +33,17 @@ def _landing_and_block():
     depth = LANDING_Y[1] - LANDING_Y[0]
     link.solid(box(x1 - x0, depth, LANDING_Z), CONCRETE_DARK,
                ((x0 + x1) / 2, (LANDING_Y[0] + LANDING_Y[1]) / 2, LANDING_Z / 2))
-    for x in (LOWER_X, UPPER_X):
-        link.visual(box(FLIGHT_WIDTH, 0.043, 0.043), YELLOW_LINE, (x, LANDING_Y[0] + 0.0185, LANDING_Z - 0.0185))
+    link.solid(box(FLIGHT_WIDTH, RUN, LANDING_Z), CONCRETE_DARK, (UPPER_X, UPPER_FOOT_Y + RUN / 2, LANDING_Z / 2))
+    link.visual(box(FLIGHT_WIDTH, 0.043, 0.043), YELLOW_LINE, (LOWER_X, LANDING_Y[0] + 0.0185, LANDING_Z - 0.0185))
     return link
 
 
 def _block(folder):
     wide = (UPPER_X - FLIGHT_WIDTH / 2, STAIR_X[1])
-    room = Assembly().box(PLASTER, wide, (FOOT_Y, LANDING_Y[0]), (0, LANDING_Z), without=("-z", "+z", "+y", "+x"))
-    room.box(PLASTER, (WELL_X - 0.04, STAIR_X[1]), (FOOT_Y - 0.05, FOOT_Y), (0, CLEAR), without=("-z",))
-    room.show(DOOR_WOOD, (0.82, 1.46), (FOOT_Y - 0.065, FOOT_Y - 0.05), (0.02, 1.75), without=("+y",))
-    room.show(STEEL, (0.88, 0.90), (FOOT_Y - 0.10, FOOT_Y - 0.065), (0.95, 1.07))
+    room = Assembly().box(PLASTER, wide, (UPPER_TOP_Y, UPPER_FOOT_Y), (0, LANDING_Z), without=("-z", "+z", "+y", "+x"))
+    room.box(PLASTER, (WELL_X - 0.04, STAIR_X[1]), (UPPER_TOP_Y - 0.05, UPPER_TOP_Y), (0, CLEAR), without=("-z",))
+    room.show(DOOR_WOOD, (0.82, 1.46), (UPPER_TOP_Y - 0.065, UPPER_TOP_Y - 0.05), (0.02, 1.75), without=("+y",))
+    room.show(STEEL, (0.88, 0.90), (UPPER_TOP_Y - 0.10, UPPER_TOP_Y - 0.065), (0.95, 1.07))
     return room.link("cupboard", folder)
 
 
@@ -58,7 +59,7 @@ def _rail(solid, x, start, end):
 def _rails(folder):
     steel = Solid()
     lower = ((FOOT_Y - RUN / 2, 0.05), (TOP_OF_LOWER - 0.06, LANDING_Z - 0.05))
-    upper = ((TOP_OF_LOWER - 0.06, LANDING_Z + 0.15), (FOOT_Y + 0.02, STOREY))
+    upper = ((UPPER_FOOT_Y + 0.04, LANDING_Z + 0.08), (UPPER_TOP_Y + 0.02, STOREY))
     link = part()
     for x, (start, end) in ((WELL_X - 0.025, lower), (WELL_X + 0.025, upper)):
         _rail(steel, x, start, end)
@@ -80,7 +81,7 @@ def _rails(folder):
 
 def staircase(yard, folder):
     yard.model("stair_lower", _lower(folder), (LOWER_X, FOOT_Y, 0))
-    yard.model("stair_upper", _lower(folder), (UPPER_X, LANDING_Y[0], LANDING_Z), 180)
+    yard.model("stair_upper", _lower(folder), (UPPER_X, UPPER_FOOT_Y, LANDING_Z), 180)
     yard.model("stair_landing", _landing_and_block())
     yard.model("stair_cupboard", _block(folder))
     yard.model("stair_rails", _rails(folder))
