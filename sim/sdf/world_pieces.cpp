@@ -64,25 +64,26 @@ std::optional<Markup> NextMarkup(std::string_view text, size_t from) {
   return markup;
 }
 
-/// The models that stand right in a world: <sdf>, <world>, <model> or <include>.
-std::vector<Span> ModelSpans(std::string_view text) {
-  constexpr int kModelDepth = 2;
+/// What stands right in a world, <sdf>, <world>, by one of two names.
+std::vector<Span> ElementSpans(std::string_view text, std::string_view name,
+                               std::string_view other_name) {
+  constexpr int kDepth = 2;
   std::vector<Span> spans;
   int depth = 0;
   size_t begin = 0;
   for (auto markup = NextMarkup(text, 0); markup; markup = NextMarkup(text, markup->span.end)) {
-    const bool is_model = markup->name == "model" || markup->name == "include";
+    const bool is_wanted = markup->name == name || markup->name == other_name;
     switch (markup->kind) {
       case Markup::Kind::kOpen:
-        if (depth == kModelDepth) begin = markup->span.begin;
+        if (depth == kDepth) begin = markup->span.begin;
         ++depth;
         break;
       case Markup::Kind::kClose:
         --depth;
-        if (depth == kModelDepth && is_model) spans.push_back({begin, markup->span.end});
+        if (depth == kDepth && is_wanted) spans.push_back({begin, markup->span.end});
         break;
       case Markup::Kind::kEmpty:
-        if (depth == kModelDepth && is_model) spans.push_back(markup->span);
+        if (depth == kDepth && is_wanted) spans.push_back(markup->span);
         break;
       case Markup::Kind::kOther:
         break;
@@ -109,7 +110,8 @@ std::string Without(std::string_view text, std::span<const Span> left_out) {
 }  // namespace
 
 std::vector<std::string> WorldPieces(const std::string& text, size_t model_bytes) {
-  const std::vector<Span> models = ModelSpans(text);
+  const std::vector<Span> models = ElementSpans(text, "model", "include");
+  const std::vector<Span> lights = ElementSpans(text, "light", "light");
   std::vector<std::string> pieces;
   size_t first = 0;
   do {
@@ -123,6 +125,9 @@ std::vector<std::string> WorldPieces(const std::string& text, size_t model_bytes
     std::vector<Span> others = models;
     others.erase(others.begin() + static_cast<ptrdiff_t>(first),
                  others.begin() + static_cast<ptrdiff_t>(last));
+    if (first > 0) others.insert(others.end(), lights.begin(), lights.end());
+    std::sort(others.begin(), others.end(),
+              [](const Span& a, const Span& b) { return a.begin < b.begin; });
     pieces.push_back(Without(text, others));
     first = last;
   } while (first < models.size());

@@ -11,9 +11,10 @@ namespace eod::sim {
 /// times the memory of all that is made of it.
 ///
 /// Each piece is the whole document with some of the world's models (<model>, <include>) left
-/// out: every model stands in exactly one piece, all else in every piece, and every line keeps its
-/// number. A piece holds at least one model, and more while they have no more than `model_bytes`
-/// together. `text` has to be well-formed XML. A world without models is one piece.
+/// out: every model stands in exactly one piece, the lights in the first, all else in every piece,
+/// and every line keeps its number. A piece holds at least one model, and more while they have no
+/// more than `model_bytes` together. `text` has to be well-formed XML. A world without models is
+/// one piece.
 std::vector<std::string> WorldPieces(const std::string& text, size_t model_bytes);
 
 }  // namespace eod::sim

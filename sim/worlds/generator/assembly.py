@@ -18,11 +18,36 @@ def turned(xyz, heading_deg):
     return lambda p: (xyz[0] + c * p[0] - s * p[1], xyz[1] + s * p[0] + c * p[1], xyz[2] + p[2])
 
 
+def _points(corners):
+    """The middle of a face, and its corners drawn in a little; all moved out of it by a hair."""
+    a, b, c = corners[:3]
+    u, v = [q - p for p, q in zip(a, b)], [q - p for p, q in zip(b, c)]
+    normal = (u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+    length = math.sqrt(sum(n * n for n in normal)) or 1.0
+    middle = [sum(axis) / len(corners) for axis in zip(*corners)]
+    hair = [1e-4 * n / length for n in normal]
+    return [tuple(m + 0.98 * (p - m) + h for p, m, h in zip(corner, middle, hair)) for corner in (*corners, middle)]
+
+
 class Assembly:
     """In a frame of its own; what is `met` by isectors is what the BUMP proxy is made of."""
 
     def __init__(self):
-        self.seen, self.met = {}, Solid()
+        self.seen, self.met, self.boxes = {}, Solid(), []
+
+    def _is_hidden(self, corners):
+        """On the floor, or each of its points in some box."""
+        points = _points(corners)
+        return all(p[2] < 0 for p in points) or all(
+            any(x[0] <= p[0] <= x[1] and y[0] <= p[1] <= y[1] and z[0] <= p[2] <= z[1] for x, y, z in self.boxes)
+            for p in points)
+
+    def trim(self):
+        """Leaves out the faces that nobody sees."""
+        for _, solid in self.seen.values():
+            solid.faces = [face for face in solid.faces
+                           if len(face) != 4 or not self._is_hidden([solid.corners[i] for i in face])]
+        return self
 
     def of(self, surface):
         return self.seen.setdefault(_NAMES[id(surface)], (surface, Solid()))[1]
@@ -30,6 +55,7 @@ class Assembly:
     def box(self, surface, x, y, z, met=True, without=()):
         x, y, z = sorted(x), sorted(y), sorted(z)
         self.of(surface).box(x, y, z, without)
+        self.boxes.append((x, y, z))
         if met:
             self.met.box(x, y, z)
         return self
@@ -55,18 +81,19 @@ class Assembly:
     def put(self, other, xyz=(0, 0, 0), heading_deg=0):
         """Another assembly, set down in this one."""
         place = turned(xyz, heading_deg)
-        for surface, solid in other.seen.values():
+        for surface, solid in other.trim().seen.values():
             self.of(surface).add(solid, place)
         self.met.add(other.met, place)
         return self
 
     def seen_by(self, link, name, folder):
+        self.trim()
         for surface_name, (surface, solid) in self.seen.items():
-            link.visual(write_mesh(solid, f"{name}_{surface_name}", folder), surface)
+            link.visual(write_mesh(solid.compact(), f"{name}_{surface_name}", folder), surface)
         return link
 
     def link(self, name, folder):
         link = self.seen_by(part(), name, folder)
         if self.met.faces:
-            link.collision(write_mesh(self.met, f"{name}_bump", folder), proxy="bump")
+            link.collision(write_mesh(self.met.compact(), f"{name}_bump", folder), proxy="bump")
         return link

@@ -41,10 +41,10 @@ class Gathered:
     def link(self, name, folder):
         link = part()
         for surface_name, (surface, solid) in self.parts.items():
-            link.visual(write_mesh(solid.welded(), f"{name}_{surface_name}", folder), surface)
+            link.visual(write_mesh(solid.compact(), f"{name}_{surface_name}", folder), surface)
         for proxy, solid in (("both", self.body), ("clamp", self.clamp), ("bump", self.bump)):
             if solid.faces:
-                link.collision(write_mesh(solid.welded(), f"{name}_{proxy}", folder), proxy=proxy)
+                link.collision(write_mesh(solid.compact(), f"{name}_{proxy}", folder), proxy=proxy)
         return link
 
     def stand(self, yard, name, folder, xyz=(0, 0, 0), heading_deg=0):

@@ -63,7 +63,6 @@ def indoor(folder):
     staircase(yard, folder)
     yard.vessel("can_lobby", drum(folder), (*CAN, 0), DRUM)
     movables(yard, folder)
-    trees(yard, [(-14, -3), (-14, 4), (14, -3), (14.5, 5), (-20, -9), (20, -9), (-25, 2), (25, 0), (-18, 14), (18, 15),
-                 (-6, 24), (6, 25), (26, 22), (-27, 24)], 5)
+    trees(yard, [(-14, -3), (14.5, 5), (14, -3), (-22, -9), (24, -9), (-15, 9), (18, 15), (-18, 16)], 5)
     land(yard)
     return yard

@@ -61,7 +61,7 @@ def desk(width=1.60, screens=1, drawers=0, seed=0):
         sheet = Assembly().show(WHITE, (-0.105, 0.105), (-0.148, 0.148), (0, 0.006 + 0.012 * i), without=("-z",))
         thing.put(sheet, (x, y, top + 0.0015 * i), turn)
     look = rng.choice((RED, BLUE, ORANGE, WHITE))
-    thing.round(look, (half - 0.18, rng.uniform(-0.1, 0.2)), 0.04, (top, top + 0.10), 8)
+    thing.round(look, (half - 0.18, rng.uniform(-0.1, 0.2)), 0.04, (top, top + 0.10), 6)
     return thing
 
 
@@ -69,9 +69,9 @@ def office_chair(surface=CHAIR_BLACK):
     """Faces +Y, towards the desk."""
     thing = Assembly()
     for i in range(5):
-        spoke = Solid().box((-0.025, 0.025), (0, 0.30), (0.055, 0.09)).box((-0.03, 0.03), (0.25, 0.31), (0, 0.055))
+        spoke = Solid().box((-0.025, 0.025), (0.02, 0.30), (0.02, 0.075), without=("-y", "-z"))
         thing.of(BLACK).add(spoke, turned((0, 0, 0), 72 * i))
-    thing.round(STEEL, (0, 0), 0.03, (0.06, 0.44), 8)
+    thing.round(STEEL, (0, 0), 0.03, (0.06, 0.44), 6)
     thing.show(surface, (-0.24, 0.24), (-0.24, 0.24), (0.43, 0.51))
     thing.show(surface, (-0.22, 0.22), (-0.29, -0.23), (0.60, 1.05)).show(BLACK, (-0.03, 0.03), (-0.28, -0.22), (0.40, 0.65))
     for side in (-1, 1):
@@ -187,7 +187,7 @@ def conference_table(length=3.6, width=1.2):
     for i in range(4):
         x, y = -1.3 + 0.8 * i, (0.35, -0.35)[i % 2]
         thing.show(WHITE, (x - 0.105, x + 0.105), (y - 0.15, y + 0.15), (0.75, 0.757), without=("-z",))
-        thing.round(POT, (x + 0.22, y), 0.035, (0.75, 0.85), 8)
+        thing.round(POT, (x + 0.22, y), 0.035, (0.75, 0.85), 6)
     return thing
 
 

@@ -6,9 +6,10 @@ from .building_services import (ceiling_lamp, clock, exit_sign, extinguisher, li
 from .office_furniture import (bookshelf, cabinet, conference_table, desk, drawer_unit, low_table, notice_board,
                                office_chair, plant, printer, reception_desk, server_rack, sofa, visitor_chair,
                                wall_screen, whiteboard)
-from .office_plan import (CLEAR, CORRIDOR_X, EAST, HALL_DOOR_Y, HALL_Y, LOBBY_X, LOBBY_Y, MEETING_DOOR_Y, NORTH,
+from .office_plan import (CLEAR, CORRIDOR_X, EAST, FOOT_Y, HALL_DOOR_Y, HALL_Y, LOBBY_X, LOBBY_Y, MEETING_DOOR_Y, NORTH,
                           OFFICE_101_DOOR_Y, OFFICE_201_DOOR_Y, OFFICE_202_DOOR_Y, OFFICE_203_DOOR_Y, PARTITION,
-                          ROOMS_Y, SERVER_DOOR_Y, SERVER_X, SERVER_Y, SOUTH, STAIR_X, STOREY, UPPER_CORRIDOR_X, WEST)
+                          ROOMS_Y, SERVER_DOOR_Y, SERVER_X, SERVER_Y, SOUTH, STAIR_X, STOREY, UPPER_CORRIDOR_X, UPPER_TOP_Y,
+                          WEST)
 from .surfaces import (CARPET_BLUE, CARPET_GREY, CHAIR_BLUE, CONCRETE_DARK, FLOOR_TILE, GREY, PLASTER, PLASTER_BLUE,
                        WHITE)
 from .walls import door_frame, door_leaf, doorway, wall
@@ -56,11 +57,14 @@ def ground_walls():
     wall(walls, PLASTER, "x", (8.5, 8.65), (WEST, 6.45), z, [CORRIDOR_OPENING], both)
     wall(walls, PLASTER, "y", (LOBBY_X[0] - PARTITION, LOBBY_X[0]), LOBBY_Y, z, [doorway(OFFICE_101_DOOR_Y)], both)
     wall(walls, PLASTER_BLUE, "y", (LOBBY_X[1], LOBBY_X[1] + PARTITION), LOBBY_Y, z, (), (-1,))
-    wall(walls, PLASTER, "y", (x0 - PARTITION, x0), (8.65, NORTH), z,
+    wall(walls, PLASTER, "y", (x0 - PARTITION, x0), (8.65, FOOT_Y), z,
          [doorway(MEETING_DOOR_Y), doorway(HALL_DOOR_Y)], both)
     wall(walls, PLASTER, "y", (x1, x1 + PARTITION), (8.65, HALL_Y[0]), z, [doorway(SERVER_DOOR_Y)], both)
     wall(walls, PLASTER, "x", (y1, HALL_Y[0]), (x1 + PARTITION, STAIR_X[1]), z, (), (1,))
-    wall(walls, PLASTER, "y", (STAIR_X[1], STAIR_X[1] + PARTITION), (y1, NORTH), z, [doorway(HALL_DOOR_Y)], (-1,))
+    wall(walls, PLASTER, "y", (STAIR_X[1], STAIR_X[1] + PARTITION), (y1, UPPER_TOP_Y), z, [doorway(HALL_DOOR_Y)], (-1,))
+    # Beside the stairs, through both storeys.
+    wall(walls, PLASTER, "y", (x0 - PARTITION, x0), (FOOT_Y, NORTH), (0.0, STOREY + CLEAR))
+    wall(walls, PLASTER, "y", (STAIR_X[1], STAIR_X[1] + PARTITION), (UPPER_TOP_Y, NORTH), (0.0, STOREY + CLEAR))
     wall(walls, PLASTER, "x", (y1, HALL_Y[0]), (WEST, x0 - PARTITION), z, (), (-1,))
     wall(walls, PLASTER, "x", (SERVER_Y[0] - PARTITION, SERVER_Y[0]), (SERVER_X[0], 6.45), z, (), (1,))
     wall(walls, PLASTER, "x", (SERVER_Y[1], SERVER_Y[1] + PARTITION), (SERVER_X[0], 6.45), z, (), (-1,))
@@ -72,12 +76,12 @@ def upper_walls():
     walls, z = Assembly(), (STOREY, STOREY + CLEAR)
     (x0, x1), (y0, y1) = UPPER_CORRIDOR_X, ROOMS_Y
     both = (-1, 1)
-    wall(walls, PLASTER, "y", (x1, x1 + PARTITION), (8.65, NORTH), z,
+    wall(walls, PLASTER, "y", (x1, x1 + PARTITION), (8.65, UPPER_TOP_Y), z,
          [doorway(OFFICE_203_DOOR_Y), doorway(HALL_DOOR_Y)], both)
     wall(walls, PLASTER, "y", (x0 - PARTITION, x0), (SOUTH, y1), z,
          [doorway(OFFICE_202_DOOR_Y), doorway(OFFICE_201_DOOR_Y)], both)
     wall(walls, PLASTER, "x", (y1, HALL_Y[0]), (WEST, x0), z, (), both)
-    wall(walls, PLASTER, "y", (STAIR_X[0] - PARTITION, STAIR_X[0]), (HALL_Y[0], NORTH), z, (), (1,))
+    wall(walls, PLASTER, "y", (STAIR_X[0] - PARTITION, STAIR_X[0]), (HALL_Y[0], FOOT_Y), z, (), (1,))
     wall(walls, PLASTER, "x", (8.5, 8.65), (WEST, x0 - PARTITION), z, (), both)
     wall(walls, PLASTER_BLUE, "x", (8.5, 8.65), (x1, EAST), z, (), both)
     wall(walls, PLASTER, "x", (y1, HALL_Y[0]), (x1 + PARTITION, EAST), z, (), (-1,))

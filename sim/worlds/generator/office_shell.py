@@ -43,7 +43,7 @@ def _side(name, along, inner, heading, windows, blind):
         wall(room, BRICK_PALE, along, sorted((outer, middle)), brick_span, (low, high),
              holes + within(entrance))
         wall(room, PLASTER, along, sorted((middle, inner)), inside, (low, min(high, ROOF_Z)),
-             within(_openings(windows)) + within(entrance), skirting=(inward,))
+             within(_openings(windows)) + within(entrance), skirting=() if name == "north" else (inward,))
 
     def place(at, z):
         return ((at, middle, z) if along == "x" else (middle, at, z)), heading

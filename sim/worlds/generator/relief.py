@@ -54,5 +54,5 @@ def relief(folder):
         for j in range(PIECES[1]):
             middle = ((i + 0.5) * columns * CELL, (j + 0.5) * rows * CELL)
             piece = relief_piece(range(i * columns, (i + 1) * columns), range(j * rows, (j + 1) * rows), middle)
-            link.solid(write_mesh(piece.welded(), f"relief_{i}_{j}", folder), GRASS, (*middle, 0))
+            link.solid(write_mesh(piece.compact(), f"relief_{i}_{j}", folder), GRASS, (*middle, 0))
     return link

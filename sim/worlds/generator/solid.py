@@ -91,17 +91,12 @@ class Solid:
         self.faces += [[first + i for i in face] for face in other.faces]
         return self
 
-    def welded(self):
-        """The same with equal corners as one, for a shorter file."""
-        places, order = {}, []
-        for corner in self.corners:
-            if corner not in places:
-                places[corner] = len(order)
-                order.append(corner)
-        whole = Solid()
-        whole.corners = order
-        whole.faces = [[places[self.corners[i]] for i in face] for face in self.faces]
-        return whole
+    def compact(self):
+        """Each corner once."""
+        number = {}
+        self.faces = [[number.setdefault(self.corners[i], len(number)) for i in face] for face in self.faces]
+        self.corners = list(number)
+        return self
 
     def write(self, path):
         write_obj(path, self.corners, self.faces)
