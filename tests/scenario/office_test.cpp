@@ -49,6 +49,20 @@ TEST(Office, StairsAreDrivenUpTurnedOnAndDrivenDownWithoutAContact) {
   EXPECT_NEAR(last.state.position.z(), 0, 1e-6);
 }
 
+TEST(Office, ChargeIsTakenFromUnderTheDeskOnTheSecondFloor) {
+  Mission dut(box::LoadScript(kData / "firmware_emu/scripts/indoor_charge.boxscript"),
+              ShippedScenario("indoor_stairs"));
+  bool touched = false;
+  dut.rig().SetStepSink([&](const sim::StepResult&, const sim::AlarmTable& alarms) {
+    touched |= alarms.IsActive(sim::AlarmCode::kCollision);
+  });
+  PlayScript(dut, 600s);
+  const sim::StepResult& last = dut.rig().simulator().last();
+  EXPECT_FALSE(touched);
+  EXPECT_NEAR(last.state.position.z(), kSecondFloor, 1e-6);
+  EXPECT_NE(last.task.state, sim::MissionState::kFail);
+}
+
 TEST(Office, HalfOpenDoorStopsTheRobotInItsFrame) {
   Mission dut = RunMission(
       PowerUp("indoor") + DriveAhead(11.2) + "expect lamp collision off\n" +

@@ -132,7 +132,7 @@ def stair_hall():
         room.things.met.box(*(tuple(sorted((c - 0.02 - room.middle[i], c + 0.02 - room.middle[i])))
                               if i == 0 else tuple(c + d - room.middle[i] for d in (-0.45, 0.45))
                               for i, c in ((0, x), (1, HALL_DOOR_Y))), (0, 2.05))
-    room.put(extinguisher(), 1.20, HALL_Y[0], 180).put(exit_sign(), -0.06, HALL_Y[0] + 0.05, 180)
+    room.put(extinguisher(), 1.20, HALL_Y[0], 180).put(exit_sign(both_sides=True), -0.06, HALL_Y[0] + 0.05, 180)
     return room.lamp(0.54, 14.1, 0, 8)
 
 
