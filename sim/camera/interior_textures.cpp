@@ -56,7 +56,7 @@ Colour RackUnit(float u, float within, int unit) {
 Canvas PaintPlaster() {
   Canvas canvas(128, 128);
   canvas.Fill([](float u, float v) {
-    const float cloud = TilingFbm(u * 3, v * 3, 3, 3, 111);
+    const float cloud = TilingFbm(u * 3, v * 3, 3, 2, 111);
     const float grain = TilingNoise(u * 64, v * 64, 64, 112);
     return Colour::Constant(0.93F + 0.06F * (cloud - 0.5F) + 0.05F * (grain - 0.5F)).eval();
   });
@@ -84,7 +84,7 @@ Canvas PaintTile() {
   canvas.Fill([](float u, float v) {
     const Place column = PlaceIn(u, 2), row = PlaceIn(v, 2);
     const float joint = std::max(OnEdge(column.within, 0.012F), OnEdge(row.within, 0.012F));
-    const float cloud = TilingFbm(u * 5, v * 5, 5, 3, 121);
+    const float cloud = TilingFbm(u * 5, v * 5, 5, 2, 121);
     const float tone = LatticeValue(column.cell & 1, row.cell & 1, 122);
     const float value = 0.84F + 0.05F * (tone - 0.5F) + 0.14F * (cloud - 0.5F) - 0.30F * joint;
     return Colour(value, value * 0.985F, value * 0.955F);
@@ -98,8 +98,7 @@ Canvas PaintCeiling() {
     const float frame =
         std::max(OnEdge(PlaceIn(u, 2).within, 0.022F), OnEdge(PlaceIn(v, 2).within, 0.022F));
     const float pore = TilingNoise(u * 80, v * 80, 80, 131) > 0.84F ? 0.10F : 0.0F;
-    const float fleck = TilingNoise(u * 128, v * 128, 128, 132);
-    const float panel = 0.90F - pore + 0.04F * (fleck - 0.5F);
+    const float panel = 0.90F - pore;
     return Colour::Constant(frame > 0.9F ? 0.99F : panel - 0.18F * frame).eval();
   });
   return canvas;

