@@ -71,23 +71,24 @@ int TextureOf(const Visual& visual, const std::filesystem::path& file) {
 }  // namespace
 
 DrawList BuildWorldDrawList(const ModuleModel& module) {
-  std::map<std::tuple<int, int, int>, Tessellation> parts;
+  std::map<std::tuple<int, int, int, bool>, Tessellation> parts;
   for (const WorldObject& object : module.objects) {
     for (const Visual& visual : object.visuals) {
       const Eigen::Vector3d centre = object.X_MO * visual.X_OV.translation();
       const auto cell = [](double coordinate) {
         return static_cast<int>(std::floor(coordinate / kCell));
       };
-      Tessellation& part =
-          parts[{TextureOf(visual, object.name), cell(centre.x()), cell(centre.y())}];
+      Tessellation& part = parts[{TextureOf(visual, object.name), cell(centre.x()),
+                                  cell(centre.y()), visual.casts_shadow}];
       AppendVisual(visual, object.X_MO, 0, kFineWorld, part.fine);
       AppendVisual(visual, object.X_MO, 0, kCoarseWorld, part.coarse);
     }
   }
   DrawList list;
-  for (const auto& [key, part] : parts) AppendRange(part, std::get<0>(key), list);
-  for (DrawRange& range : list.ranges) {
-    range.casts_shadow = !IsFlatGround(range) && !IsLandscape(range);
+  for (const auto& [key, part] : parts) {
+    AppendRange(part, std::get<0>(key), list);
+    DrawRange& range = list.ranges.back();
+    range.casts_shadow = std::get<3>(key) && !IsFlatGround(range) && !IsLandscape(range);
   }
   return list;
 }

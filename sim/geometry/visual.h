@@ -30,6 +30,7 @@ struct Visual {
   /// outside.
   std::vector<Eigen::Vector3f> triangles;
   Material material;
+  bool casts_shadow = true;  ///< false: what stands under a roof, where the sun does not reach
 };
 
 }  // namespace eod::sim

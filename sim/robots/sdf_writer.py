@@ -85,10 +85,11 @@ class Link:
         self.parts += element("inertial", [*pose(xyz), f"<mass>{numbers([kilograms])}</mass>"])
         return self
 
-    def visual(self, shape, surface, xyz=(0, 0, 0), rpy_deg=(0, 0, 0)):
+    def visual(self, shape, surface, xyz=(0, 0, 0), rpy_deg=(0, 0, 0), shadow=True):
         self.count += 1
+        dark = [] if shadow else ["<cast_shadows>false</cast_shadows>"]
         self.parts += element(f'visual name="v{self.count}"',
-                              [*pose(xyz, rpy_deg), *shape, *surface.lines()])
+                              [*pose(xyz, rpy_deg), *dark, *shape, *surface.lines()])
         return self
 
     def collision(self, shape, xyz=(0, 0, 0), rpy_deg=(0, 0, 0), proxy="both"):

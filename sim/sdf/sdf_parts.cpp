@@ -45,6 +45,7 @@ SdfVisual ToVisual(const sdf::Visual& visual, const std::filesystem::path& file)
   result.visual.size = shape.size;
   result.visual.X_OV = Resolve(visual.SemanticPose(), "", visual.Element(), file);
   result.visual.material = ToMaterial(visual.Material(), FindElement(customs, "surface"));
+  result.visual.casts_shadow = visual.CastShadows();
   if (shape.kind == Visual::Shape::kMesh) {
     for (const Triangle& triangle : shape.mesh) {
       for (const Eigen::Vector3d& corner : triangle) {

@@ -64,6 +64,12 @@ class Assembly:
         """Too small, too thin or too high to be run into."""
         return self.box(surface, x, y, z, met=False, without=without)
 
+    def panel(self, surface, x, y, z, side=-1):
+        """A flat thing on a face at `y` that looks towards -Y, or +Y."""
+        corners = [(x[0], y, z[0]), (x[1], y, z[0]), (x[1], y, z[1]), (x[0], y, z[1])]
+        self.of(surface).face(*(corners if side < 0 else reversed(corners)))
+        return self
+
     def pave(self, surface, x, y, z):
         self.of(surface).floor(x, y, z)
         return self
@@ -86,14 +92,15 @@ class Assembly:
         self.met.add(other.met, place)
         return self
 
-    def seen_by(self, link, name, folder):
+    def seen_by(self, link, name, folder, shadow=True):
         self.trim()
         for surface_name, (surface, solid) in self.seen.items():
-            link.visual(write_mesh(solid.compact(), f"{name}_{surface_name}", folder), surface)
+            link.visual(write_mesh(solid.compact(), f"{name}_{surface_name}", folder), surface, shadow=shadow)
         return link
 
-    def link(self, name, folder):
-        link = self.seen_by(part(), name, folder)
+    def link(self, name, folder, shadow=True):
+        """`shadow`: False for what the sun does not reach."""
+        link = self.seen_by(part(), name, folder, shadow)
         if self.met.faces:
             link.collision(write_mesh(self.met.compact(), f"{name}_bump", folder), proxy="bump")
         return link

@@ -1,15 +1,16 @@
 """What is built into an office: lamps, lift doors, radiators, signs, extinguishers."""
 
 from .assembly import Assembly
-from .surfaces import (BLACK, EXIT_GREEN, LAMINATE, LAMP, METAL, RED, STEEL, WHITE)
+from .surfaces import (BLACK, EXIT_GREEN, GREY, LAMINATE, LAMP, METAL, RED, STEEL, WHITE)
 
 
 def ceiling_lamp(ceiling, length=1.2, width=0.3):
     """Panel below the ceiling at z = `ceiling`, along X."""
     lamp = Assembly().show(LAMINATE, (-length / 2 - 0.02, length / 2 + 0.02), (-width / 2 - 0.02, width / 2 + 0.02),
                            (ceiling - 0.04, ceiling), without=("+z",))
-    return lamp.show(LAMP, (-length / 2, length / 2), (-width / 2, width / 2), (ceiling - 0.046, ceiling - 0.04),
-                     without=("+z",))
+    z, half, side = ceiling - 0.042, length / 2, width / 2
+    lamp.of(LAMP).face((-half, -side, z), (-half, side, z), (half, side, z), (half, -side, z))
+    return lamp
 
 
 def point_light(name, module, xyz, reach):
@@ -38,7 +39,7 @@ def radiator(width=1.2):
     thing = Assembly().box(WHITE, (-width / 2, width / 2), (-0.09, -0.05), (0.16, 0.70))
     for i in range(int(width / 0.12)):
         x = -width / 2 + 0.03 + 0.12 * i
-        thing.show(LAMINATE, (x, x + 0.05), (-0.10, -0.09), (0.20, 0.66), without=("+y",))
+        thing.panel(GREY, (x, x + 0.02), -0.092, (0.20, 0.66))
     return thing.show(WHITE, (-width / 2 + 0.1, -width / 2 + 0.13), (-0.05, 0), (0.2, 0.24))
 
 
@@ -54,10 +55,10 @@ def extinguisher():
 def exit_sign(both_sides=False):
     """Hangs from z = 2.5, read by looking along +Y; a white running man is a bar and an arrow here."""
     sign = Assembly().show(EXIT_GREEN, (-0.22, 0.22), (-0.015, 0.015), (2.24, 2.44))
-    for y in ((-0.018, -0.015), *([(0.015, 0.018)] if both_sides else [])):
-        sign.show(WHITE, (-0.14, 0.06), y, (2.325, 2.355))
-        sign.show(WHITE, (0.06, 0.09), y, (2.30, 2.38)).show(WHITE, (0.09, 0.12), y, (2.32, 2.36))
-        sign.show(WHITE, (-0.19, -0.16), y, (2.28, 2.40))
+    for side in (-1, 1) if both_sides else (-1,):
+        for x, z in (((-0.14, 0.06), (2.325, 2.355)), ((0.06, 0.09), (2.30, 2.38)), ((0.09, 0.12), (2.32, 2.36)),
+                     ((-0.19, -0.16), (2.28, 2.40))):
+            sign.panel(WHITE, x, side * 0.018, z, side)
     return sign
 
 

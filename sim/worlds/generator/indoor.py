@@ -97,6 +97,6 @@ def indoor(folder):
     staircase(yard, folder)
     yard.vessel("can_lobby", drum(folder), (*CAN, 0), DRUM)
     movables(yard, folder)
-    trees(yard, [(-14, -3), (14.5, 5), (14, -3), (-22, -9), (24, -9), (-15, 9), (18, 15), (-18, 16)], 5)
+    trees(yard, [(-14, -3), (15, 6), (14.5, -3), (-17, 11), (24, -9)], 5)
     land(yard)
     return yard

@@ -16,14 +16,12 @@ RACK_WIDTH, RACK_DEPTH, RACK_HEIGHT = 0.60, 1.00, 2.00
 def monitor(width=0.54):
     """On a desk's top at z = 0, screen towards -Y."""
     thing = Assembly()
-    thing.show(BLACK, (-0.12, 0.12), (-0.05, 0.11), (0, 0.015)).show(BLACK, (-0.03, 0.03), (0.04, 0.07), (0, 0.25))
+    thing.show(BLACK, (-0.12, 0.12), (-0.05, 0.11), (0, 0.015)).show(
+        BLACK, (-0.03, 0.03), (0.04, 0.07), (0, 0.25), without=("-z", "+z"))
     thing.show(BLACK, (-width / 2, width / 2), (0, 0.04), (0.12, 0.46))
-    thing.of(SCREEN_LIT).face((-width / 2 + 0.015, -0.002, 0.14), (width / 2 - 0.015, -0.002, 0.14),
-                              (width / 2 - 0.015, -0.002, 0.445), (-width / 2 + 0.015, -0.002, 0.445))
-    for i, (x, z, w, h) in enumerate(((-0.10, 0.27, 0.26, 0.22), (0.14, 0.36, 0.16, 0.10), (0.14, 0.22, 0.16, 0.12))):
-        look = (WHITE, BLUE, NOTE)[i]
-        thing.of(look).face((x - w / 2, -0.004, z - h / 2), (x + w / 2, -0.004, z - h / 2),
-                            (x + w / 2, -0.004, z + h / 2), (x - w / 2, -0.004, z + h / 2))
+    thing.panel(SCREEN_LIT, (-width / 2 + 0.015, width / 2 - 0.015), -0.002, (0.14, 0.445))
+    for look, x, z, w, h in ((WHITE, -0.10, 0.27, 0.26, 0.22), (BLUE, 0.14, 0.36, 0.16, 0.10), (NOTE, 0.14, 0.22, 0.16, 0.12)):
+        thing.panel(look, (x - w / 2, x + w / 2), -0.004, (z - h / 2, z + h / 2))
     return thing
 
 
@@ -31,8 +29,7 @@ def drawer_unit():
     thing = Assembly().box(LAMINATE, (-0.20, 0.20), (-0.30, 0.30), (0.03, 0.60))
     for i in range(3):
         z = 0.05 + 0.18 * i
-        thing.show(GREY, (-0.19, 0.19), (-0.308, -0.30), (z, z + 0.165), without=("+y",))
-        thing.show(STEEL, (-0.06, 0.06), (-0.322, -0.308), (z + 0.11, z + 0.125))
+        thing.panel(GREY, (-0.19, 0.19), -0.302, (z, z + 0.165)).panel(STEEL, (-0.06, 0.06), -0.304, (z + 0.11, z + 0.125))
     return thing
 
 
@@ -54,7 +51,7 @@ def desk(width=1.60, screens=1, drawers=0, seed=0):
         thing.put(monitor(), (x, 0.12, top), -12 * (i - (screens - 1) / 2))
     thing.met.box((-0.3 * screens, 0.3 * screens), (0.08, 0.20), (top, top + 0.46))
     thing.show(BLACK, (-0.22, 0.22), (-0.24, -0.10), (top, top + 0.02), without=("-z",))
-    thing.show(GREY, (-0.205, 0.205), (-0.228, -0.112), (top + 0.02, top + 0.023), without=("-z",))
+    thing.pave(GREY, (-0.205, 0.205), (-0.228, -0.112), top + 0.022)
     thing.show(BLACK, (0.30, 0.36), (-0.22, -0.12), (top, top + 0.03), without=("-z",))
     for i in range(2):
         x, y, turn = -half + 0.22 + 0.04 * i, rng.uniform(-0.15, 0.15), rng.uniform(-25, 25)
@@ -76,7 +73,7 @@ def office_chair(surface=CHAIR_BLACK):
     thing.show(surface, (-0.22, 0.22), (-0.29, -0.23), (0.60, 1.05)).show(BLACK, (-0.03, 0.03), (-0.28, -0.22), (0.40, 0.65))
     for side in (-1, 1):
         thing.show(BLACK, (side * 0.25, side * 0.30), (-0.16, 0.14), (0.66, 0.69))
-        thing.show(BLACK, (side * 0.26, side * 0.29), (-0.04, 0.0), (0.46, 0.66))
+        thing.show(BLACK, (side * 0.26, side * 0.29), (-0.04, 0.0), (0.46, 0.66), without=("-z", "+z"))
     thing.met.box((-0.24, 0.24), (-0.29, 0.24), (0.02, 1.05))
     return thing
 
@@ -97,9 +94,9 @@ def cabinet(width=0.80, height=1.10, surface=LAMINATE):
     thing = Assembly().box(surface, (-width / 2, width / 2), (-0.21, 0.22), (0.05, height))
     thing.box(BLACK, (-width / 2 + 0.02, width / 2 - 0.02), (-0.18, 0.22), (0, 0.05))
     for side in (-1, 1):
-        thing.show(GREY if surface is not GREY else METAL, (side * 0.004, side * (width / 2 - 0.01)), (-0.225, -0.21),
-                   (0.07, height - 0.02), without=("+y",))
-        thing.show(STEEL, (side * 0.03, side * 0.045), (-0.24, -0.225), (height * 0.5, height * 0.5 + 0.14))
+        thing.panel(GREY if surface is not GREY else METAL, sorted((side * 0.004, side * (width / 2 - 0.01))), -0.213,
+                    (0.07, height - 0.02))
+        thing.panel(STEEL, sorted((side * 0.03, side * 0.045)), -0.216, (height * 0.5, height * 0.5 + 0.14))
     return thing
 
 
@@ -128,29 +125,28 @@ def whiteboard(width=1.8):
     thing.show(STEEL, (-width / 2 + 0.2, width / 2 - 0.2), (-0.08, -0.024), (0.93, 0.95))
     strokes = ((-0.6, 1.75, 0.7), (-0.6, 1.65, 0.5), (-0.6, 1.55, 0.62), (-0.6, 1.35, 0.4), (-0.6, 1.25, 0.55))
     for i, (x, z, length) in enumerate(strokes):
-        thing.show((BLUE, BLACK, BLACK, RED, BLACK)[i], (x, x + length), (-0.0255, -0.024), (z, z + 0.018), without=("+y",))
+        thing.panel((BLUE, BLACK, BLACK, RED, BLACK)[i], (x, x + length), -0.0255, (z, z + 0.018))
     for x, z, w, h in ((0.25, 1.30, 0.18, 0.35), (0.45, 1.30, 0.12, 0.50), (0.60, 1.30, 0.10, 0.22)):
-        thing.show(RED if h > 0.4 else BLUE, (x, x + w - 0.04), (-0.0255, -0.024), (z, z + h), without=("+y",))
+        thing.panel(RED if h > 0.4 else BLUE, (x, x + w - 0.04), -0.0255, (z, z + h))
     return thing
 
 
 def notice_board():
     """On the wall at y = 0."""
     thing = Assembly().show(WOOD, (-0.62, 0.62), (-0.02, 0), (1.18, 2.02), without=("+y",))
-    thing.show(CORK, (-0.59, 0.59), (-0.023, -0.02), (1.21, 1.99), without=("+y",))
+    thing.panel(CORK, (-0.59, 0.59), -0.022, (1.21, 1.99))
     for i, (x, z) in enumerate(((-0.42, 1.62), (-0.12, 1.66), (0.20, 1.58), (0.44, 1.70), (-0.30, 1.30), (0.12, 1.28))):
-        thing.show((WHITE, NOTE, WHITE, RED, WHITE, LAMINATE)[i], (x - 0.10, x + 0.10), (-0.025, -0.023),
-                   (z - 0.13, z + 0.13), without=("+y",))
+        thing.panel((WHITE, NOTE, WHITE, RED, WHITE, LAMINATE)[i], (x - 0.10, x + 0.10), -0.025, (z - 0.13, z + 0.13))
     return thing
 
 
 def plant(height=1.4, seed=1):
     rng = random.Random(seed)
-    thing = Assembly().round(POT, (0, 0), 0.15, (0, 0.36), 12, top_radius=0.21)
-    thing.round(EARTH, (0, 0), 0.18, (0.355, 0.365), 12)
+    thing = Assembly().round(POT, (0, 0), 0.15, (0, 0.36), 8, top_radius=0.21)
+    thing.round(EARTH, (0, 0), 0.18, (0.355, 0.365), 8)
     leaves = thing.of(PLANT)
-    for i in range(16):
-        angle = 2 * math.pi * i / 16 + rng.uniform(-0.2, 0.2)
+    for i in range(12):
+        angle = 2 * math.pi * i / 12 + rng.uniform(-0.2, 0.2)
         rise, reach = rng.uniform(0.45, 1.0) * (height - 0.36), rng.uniform(0.22, 0.48)
         out, side = (math.cos(angle), math.sin(angle)), (-math.sin(angle), math.cos(angle))
 
@@ -237,7 +233,7 @@ def reception_desk(length=2.6):
 def printer():
     thing = Assembly().box(LAMINATE, (-0.30, 0.30), (-0.30, 0.30), (0.05, 0.62)).box(GREY, (-0.30, 0.30), (-0.28, 0.30), (0.62, 1.02))
     for z in (0.12, 0.30, 0.48):
-        thing.show(GREY, (-0.28, 0.28), (-0.308, -0.30), (z, z + 0.14), without=("+y",))
+        thing.panel(GREY, (-0.28, 0.28), -0.303, (z, z + 0.14))
     thing.show(BLACK, (-0.24, 0.24), (-0.285, -0.28), (0.70, 0.80), without=("+y",))
     thing.show(SCREEN_LIT, (0.05, 0.24), (-0.25, -0.12), (1.02, 1.03))
     return thing.show(LAMINATE, (-0.28, 0.0), (-0.20, 0.26), (1.02, 1.06))

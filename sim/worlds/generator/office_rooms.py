@@ -45,7 +45,7 @@ class Room:
         return self.put(door_frame(thickness), x, y, 0 if along == "x" else 90)
 
     def build(self, yard, folder):
-        yard.model(self.name, self.things.link(self.name, folder), self.middle)
+        yard.model(self.name, self.things.link(self.name, folder, shadow=False), self.middle)
         for i, (at, reach) in enumerate(self.lights):
             yard.lights += point_light(f"{self.name}_lamp_{i + 1}", yard.name, at, reach)
 
@@ -237,7 +237,7 @@ def upper_corridor():
 
 def rooms(yard, folder):
     for name, walls in (("ground_walls", ground_walls()), ("upper_walls", upper_walls())):
-        yard.model(f"office_{name}", walls.link(f"office_{name}", folder))
+        yard.model(f"office_{name}", walls.link(f"office_{name}", folder, shadow=False))
     for room in (lobby(), corridor(), stair_hall(), meeting_room(), server_room(), office_101(), office_201(),
                  office_202(), office_203(), lift_lobby(), upper_corridor()):
         room.build(yard, folder)

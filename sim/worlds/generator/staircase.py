@@ -44,7 +44,7 @@ def _block(folder):
     room.box(PLASTER, (WELL_X - 0.04, STAIR_X[1]), (UPPER_TOP_Y - 0.05, UPPER_TOP_Y), (0, CLEAR), without=("-z",))
     room.show(DOOR_WOOD, (0.82, 1.46), (UPPER_TOP_Y - 0.065, UPPER_TOP_Y - 0.05), (0.02, 1.75), without=("+y",))
     room.show(STEEL, (0.88, 0.90), (UPPER_TOP_Y - 0.10, UPPER_TOP_Y - 0.065), (0.95, 1.07))
-    return room.link("cupboard", folder)
+    return room.link("cupboard", folder, shadow=False)
 
 
 def _rail(solid, x, start, end):
@@ -76,7 +76,7 @@ def _rails(folder):
     # Along the outer walls.
     for x, (start, end) in ((STAIR_X[0] + 0.05, lower), (STAIR_X[1] - 0.05, upper)):
         steel.beam((x, start[0], start[1] + 0.95), (x, end[0], end[1] + 0.95), 0.045)
-    return link.visual(write_mesh(steel, "staircase_rails", folder), METAL)
+    return link.visual(write_mesh(steel, "staircase_rails", folder), METAL, shadow=False)
 
 
 def staircase(yard, folder):

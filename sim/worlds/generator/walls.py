@@ -69,11 +69,11 @@ def door_leaf(surface=DOOR_WOOD, window=False):
     leaf.box(surface, (0, wide), (-LEAF, 0), (0.01, DOOR_HEIGHT - 0.005))
     for side, face in ((1, 0.0), (-1, -LEAF)):
         def plate(look, x, proud, z, face=face, side=side):
-            leaf.show(look, x, (face, face + side * proud), z)
+            leaf.panel(look, x, face + side * proud, z, side)
 
-        plate(STEEL, (wide - 0.10, wide - 0.06), 0.010, (0.93, 1.15))
-        plate(STEEL, (wide - 0.09, wide - 0.07), 0.055, (1.07, 1.09))
-        leaf.show(STEEL, (wide - 0.21, wide - 0.07), (face + side * 0.045, face + side * 0.06), (1.065, 1.09))
+        plate(STEEL, (wide - 0.10, wide - 0.06), 0.004, (0.93, 1.15))
+        leaf.show(STEEL, (wide - 0.21, wide - 0.07), (face + side * 0.035, face + side * 0.05), (1.065, 1.09))
+        leaf.show(STEEL, (wide - 0.09, wide - 0.07), (face, face + side * 0.035), (1.065, 1.09))
         plate(STEEL, (0.05, wide - 0.05), 0.003, (0.03, 0.22))
         if window:
             plate(GREY, (wide - 0.33, wide - 0.15), 0.004, (1.25, 1.85))
