@@ -173,6 +173,16 @@ TEST(IndoorModule, ChargeStandsUnderADeskWithKneeSpaceInFrontOfTheRobot) {
   EXPECT_GT(Range({0.3, at.y(), kStorey + 0.3}, -Vector3d::UnitX()), 0.3 - at.x());
 }
 
+TEST(IndoorModule, RoofCastsAShadowAndFurnitureUnderItNone) {
+  for (const WorldObject& object : Indoor().model().objects) {
+    if (object.name != "office_roof" && object.name != "office_201") continue;
+    ASSERT_FALSE(object.visuals.empty());
+    for (const Visual& visual : object.visuals) {
+      EXPECT_EQ(visual.casts_shadow, object.name == "office_roof") << object.name;
+    }
+  }
+}
+
 TEST(IndoorModule, CanStandsInTheLobbyOnTheGroundFloor) {
   const auto& vessels = Indoor().model().vessels;
   ASSERT_EQ(vessels.size(), 1u);
