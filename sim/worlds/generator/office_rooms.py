@@ -10,8 +10,7 @@ from .office_plan import (CLEAR, CORRIDOR_X, EAST, FOOT_Y, HALL_DOOR_Y, HALL_Y, 
                           OFFICE_101_DOOR_Y, OFFICE_201_DOOR_Y, OFFICE_202_DOOR_Y, OFFICE_203_DOOR_Y, PARTITION,
                           ROOMS_Y, SERVER_DOOR_Y, SERVER_X, SERVER_Y, SOUTH, STAIR_X, STOREY, UPPER_CORRIDOR_X, UPPER_TOP_Y,
                           WEST)
-from .surfaces import (CARPET_BLUE, CARPET_GREY, CHAIR_BLUE, CONCRETE_DARK, FLOOR_TILE, GREY, PLASTER, PLASTER_BLUE,
-                       WHITE)
+from .surfaces import (CARPET_BLUE, CARPET_GREY, CHAIR_BLUE, CONCRETE_DARK, FLOOR_TILE, GREY, PLASTER, PLASTER_BLUE)
 from .walls import door_frame, door_leaf, doorway, wall
 
 CORRIDOR_OPENING = (*CORRIDOR_X, 0.0, 2.40)
@@ -128,10 +127,7 @@ def stair_hall():
     for x, face, heading, hinge in ((x0 - PARTITION / 2, x0, 90, 0.45), (x1 + PARTITION / 2, x1, 270, -0.45)):
         room.door(x, HALL_DOOR_Y, "y").put(room_plate(), face, HALL_DOOR_Y + 0.75 * (1 if hinge < 0 else -1), heading)
         # Closed: lever doors to the plant room and to the toilets.
-        room.put(door_leaf(), x - (0.02 if hinge > 0 else -0.02), HALL_DOOR_Y + hinge, 270 if hinge > 0 else 90)
-        room.things.met.box(*(tuple(sorted((c - 0.02 - room.middle[i], c + 0.02 - room.middle[i])))
-                              if i == 0 else tuple(c + d - room.middle[i] for d in (-0.45, 0.45))
-                              for i, c in ((0, x), (1, HALL_DOOR_Y))), (0, 2.05))
+        room.put(door_leaf(), x + (0.02 if hinge > 0 else -0.02), HALL_DOOR_Y + hinge, 270 if hinge > 0 else 90)
     room.put(extinguisher(), 1.20, HALL_Y[0], 180).put(exit_sign(both_sides=True), -0.06, HALL_Y[0] + 0.05, 180)
     return room.lamp(0.54, 14.1, 0, 8)
 
@@ -230,7 +226,7 @@ def upper_corridor():
     x0, x1 = UPPER_CORRIDOR_X
     room = Room("corridor_2", (STAIR_X[0], x1), (8.5, HALL_Y[1]), 1)
     room.put(extinguisher(), 0.0, HALL_Y[0], 180).put(notice_board(), x1, 11.9, 270)
-    room.door(x1 + PARTITION / 2, HALL_DOOR_Y, "y").put(door_leaf(), x1 + PARTITION / 2 + 0.02, HALL_DOOR_Y - 0.45, 90)
+    room.door(x1 + PARTITION / 2, HALL_DOOR_Y, "y").put(door_leaf(), x1 + PARTITION / 2 - 0.02, HALL_DOOR_Y - 0.45, 90)
     room.put(drawer_unit(), -0.38, 13.4, 90)
     return room.lamp(1.14, 10.0, 90, 7).lamp(0.54, 14.0, 0, 8)
 

@@ -11,7 +11,7 @@ from .office_plan import (BLIND_EAST, BLIND_NORTH, BLIND_SIDE, BLIND_SOUTH, CLEA
 from .scenery import write_mesh
 from .solid import Solid, write_text
 from .surfaces import (BLACK, BLUE, BRICK_PALE, CEILING, CONCRETE, CONCRETE_DARK, GLASS, GREY, LAMINATE, METAL, PLASTER,
-                       ROOF, STEEL, VINYL, WHITE)
+                       STEEL, VINYL, WHITE)
 from .walls import wall, window_frame
 
 ENTRANCE_HEIGHT = 2.30
