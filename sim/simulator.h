@@ -125,6 +125,7 @@ class Simulator {
   void UpdateAlarms(MotionSet wished, const Inhibition& inhibition);
   void UpdateTask(uint32_t contacts_before, const OperatorCommand& command);
   bool SeesObject(int camera_select);
+  double LinkLost(const OperatorCommand& command);
   void Report(const OperatorCommand& command, const Wish& wish, const Inhibition& inhibition);
 
   RobotModel robot_;  ///< with the lines of what the hand holds
@@ -150,7 +151,8 @@ class Simulator {
   std::vector<InstructorCommand> instructed_;  ///< and not obeyed yet
   CastMemory sight_;
   int last_menu_command_ = kMenuNone;
-  bool start_asked_ = false;  ///< of the mission, in this step
+  int64_t box_lost_steps_ = 0;  ///< for which the bridge has missed the box
+  bool start_asked_ = false;    ///< of the mission, in this step
   bool end_asked_ = false;
   bool instructor_ends_ = false;
   bool estopped_ = false;  ///< by the instructor

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -80,6 +81,15 @@ bool Simulator::SeesObject(int camera_select) {
   return false;
 }
 
+/// [s] since the operator's commands came, and the box was heard.
+double Simulator::LinkLost(const OperatorCommand& command) {
+  box_lost_steps_ = command.inhibit_reason == kReasonLinkLoss ? box_lost_steps_ + 1 : 0;
+  const double box_lost_s = static_cast<double>(box_lost_steps_) * dt_s_;
+  const Duration silence = result_.time - command.stamp;
+  const bool is_silent = command.stamp != TimePoint{} && silence >= config_.command_timeout;
+  return is_silent ? std::max(box_lost_s, ToSeconds(silence)) : box_lost_s;
+}
+
 void Simulator::UpdateTask(uint32_t contacts_before, const OperatorCommand& command) {
   // How far ahead things are is asked of a robot that stands.
   const bool stands = StandsStill(result_.speed, result_.turn_rate);
@@ -109,9 +119,7 @@ void Simulator::UpdateTask(uint32_t contacts_before, const OperatorCommand& comm
   inputs.forward_object = place_->world.ObjectName(ahead.object);
   inputs.estopped = estopped_;
   inputs.ended_by_instructor = std::exchange(instructor_ends_, false);
-  const bool was_heard = command.stamp != TimePoint{};
-  const Duration silence = result_.time - command.stamp;
-  if (was_heard && silence >= config_.command_timeout) inputs.link_lost_s = ToSeconds(silence);
+  inputs.link_lost_s = LinkLost(command);
   inputs.sees_object = SeesObject(command.camera_select);
   inputs.disposal = &result_.disposal;
   inputs.movables = place_->poses();

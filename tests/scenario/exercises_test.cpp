@@ -76,6 +76,19 @@ TEST(Failure, TheSecondDeviceBeforeTheFirstIsTheWrongOrder) {
   PlayScript(dut, 120s);
 }
 
+TEST(Failure, AnOperatorWhoDoesNotGetHisLinkBackHasLostIt) {
+  Mission dut = RunMission(PowerUp("flat") + "wait 1s\n", "flat_first_drive");
+  PlayScript(dut, 60s);
+  dut.rig().UnplugBox();
+  const auto limit = std::chrono::duration_cast<Duration>(
+      std::chrono::duration<double>(ShippedData().rules.critical.link_lost));
+  // The bridge notices after 100 ms.
+  dut.rig().RunFor(limit);
+  EXPECT_EQ(TaskOf(dut).state, sim::MissionState::kRun);
+  dut.rig().RunFor(200ms);
+  EXPECT_EQ(TaskOf(dut).fail_reason, sim::FailReason::kLinkLost);
+}
+
 TEST(Failure, TimeRunsOut) {
   sim::Scenario scenario = ShippedScenario("flat_first_drive");
   scenario.time_limit_s = 5;

@@ -1,5 +1,7 @@
 // Exercises that begin elsewhere, place things, and are chosen while the simulator runs.
+#include <fstream>
 #include <map>
+#include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -189,6 +191,22 @@ TEST(ShippedScenarios, FitTheWorldAndEveryModuleThatIsThereHasSome) {
     EXPECT_GE(count[module.id], 2) << module.name;
     EXPECT_LE(count[module.id], 15) << module.name << ": the menu has four bits";
   }
+}
+
+TEST(ScenarioFormat, TheExampleOfItsReferenceIsAnExercise) {
+  std::ifstream in(kData / "docs/scenario_format.md");
+  std::stringstream page;
+  page << in.rdbuf();
+  const std::string text = page.str();
+  const std::string fence = "```toml\n";
+  const size_t begin = text.find(fence) + fence.size();
+  ASSERT_GE(begin, fence.size());
+  const auto file = std::filesystem::path(::testing::TempDir()) / "example_of_the_reference.toml";
+  std::ofstream(file) << text.substr(begin, text.find("```", begin) - begin);
+  const Scenario example = LoadScenario(file);
+  EXPECT_NO_THROW(CheckFits(example, TheWorld()));
+  EXPECT_EQ(example.steps.size(), 2u);
+  EXPECT_EQ(example.faults.size(), 1u);
 }
 
 TEST(ShippedScenarios, EveryVariationBeginsCalmly) {
