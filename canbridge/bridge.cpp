@@ -106,6 +106,7 @@ const BridgeOutput& Bridge::OnRobotState(TimePoint now, const RobotReport& robot
   Begin(now);
   robot_ = robot;
   supervision_.NoteSimulator(now_);
+  supervision_.NoteRobotStops(now_, {.link = robot.link_latched, .estop = robot.field_estop});
   return Finish();
 }
 
@@ -264,7 +265,7 @@ void Bridge::SendCyclic() {
 void Bridge::Send(RobotMessage role) {
   if (is_foreign_robot_) return;
   if (role == RobotMessage::kStatus) {
-    feedback_.link_quality = meter_.Quality(now_);
+    feedback_.link_quality = std::min(meter_.Quality(now_), robot_.link_quality);
     sent_status_ = feedback_;
   }
   if (role == RobotMessage::kAlarm) sent_alarm_ = feedback_;

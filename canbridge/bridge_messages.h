@@ -45,6 +45,7 @@ struct BoxCommand {
   bool horn = false;
   bool buzzer_acknowledge = false;
   bool alarm_reset = false;
+  int resets = 0;  ///< that were accepted since the start
 
   bool operator==(const BoxCommand&) const = default;
 };
@@ -66,6 +67,10 @@ struct RobotReport {
   uint32_t circuit_continuity = 0;  ///< bit c-1: circuit c has its cartridge
   double battery_v = 0;
   double battery_soc = 0;
+  double link_quality = 1;    ///< 0..1 of the way between operator and robot
+  bool link_latched = false;  ///< the robot heard no command for too long
+  bool field_estop = false;   ///< its own emergency stop is pressed
+  uint32_t dark_lamps = 0;    ///< bit i: lamp i of the box is broken
 };
 
 struct ActiveAlarm {

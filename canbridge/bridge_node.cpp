@@ -27,6 +27,10 @@ RobotReport ToReport(const robot_state_t& message) {
   report.circuit_continuity = static_cast<uint8_t>(message.circuit_continuity);
   report.battery_v = message.battery_v;
   report.battery_soc = message.battery_soc;
+  report.link_quality = message.link_quality;
+  report.link_latched = message.link_latched != 0;
+  report.field_estop = message.field_estop != 0;
+  report.dark_lamps = static_cast<uint16_t>(message.dark_lamps);
   return report;
 }
 
@@ -66,9 +70,16 @@ BridgeNode::BridgeNode(const BridgeNodeConfig& config, CanBus& bus, lcm::LCM& lc
       alarm_channel_(ChannelName(config.channel_prefix, kAlarmChannel)) {
   const std::string robot_channel = ChannelName(config.channel_prefix, kRobotStateChannel);
   const std::string mission_channel = ChannelName(config.channel_prefix, kMissionStatusChannel);
-  subscriptions_ = {lcm_.subscribe(robot_channel, &BridgeNode::OnRobotState, this),
-                    lcm_.subscribe(alarm_channel_, &BridgeNode::OnAlarm, this),
-                    lcm_.subscribe(mission_channel, &BridgeNode::OnMission, this)};
+  const auto telemetry = [&config](const Channel& channel) {
+    return ChannelName(config.channel_prefix, channel);
+  };
+  subscriptions_ = {
+      lcm_.subscribe(robot_channel, &BridgeNode::OnRobotState, this),
+      lcm_.subscribe(alarm_channel_, &BridgeNode::OnAlarm, this),
+      lcm_.subscribe(mission_channel, &BridgeNode::OnMission, this),
+      lcm_.subscribe(telemetry(kTelemetryStateChannel), &BridgeNode::OnTelemetryState, this),
+      lcm_.subscribe(telemetry(kTelemetryAlarmChannel), &BridgeNode::OnTelemetryAlarm, this),
+      lcm_.subscribe(telemetry(kTelemetryMissionChannel), &BridgeNode::OnTelemetryMission, this)};
 }
 
 BridgeNode::~BridgeNode() {
@@ -86,21 +97,39 @@ void BridgeNode::OnTick(TimePoint scheduled) {
   Emit(scheduled, bridge_.Tick(scheduled, {bus_.state(), bus_.counters()}));
 }
 
-void BridgeNode::OnRobotState(const lcm::ReceiveBuffer*, const std::string&,
+// What is relayed reaches the operator by the telemetry channels alone.
+
+void BridgeNode::OnRobotState(const lcm::ReceiveBuffer* buffer, const std::string& channel,
                               const robot_state_t* message) {
+  if (message->relayed == 0) OnTelemetryState(buffer, channel, message);
+}
+
+void BridgeNode::OnTelemetryState(const lcm::ReceiveBuffer*, const std::string&,
+                                  const robot_state_t* message) {
   const TimePoint now = clock_.Now();
   Emit(now, bridge_.OnRobotState(now, ToReport(*message)));
 }
 
-void BridgeNode::OnAlarm(const lcm::ReceiveBuffer*, const std::string&, const alarm_t* message) {
+void BridgeNode::OnAlarm(const lcm::ReceiveBuffer* buffer, const std::string& channel,
+                         const alarm_t* message) {
   // The bridge's own alarms come back on the same channel.
   if (message->source != alarm_t::SOURCE_SIM) return;
+  if (message->relayed == 0) OnTelemetryAlarm(buffer, channel, message);
+}
+
+void BridgeNode::OnTelemetryAlarm(const lcm::ReceiveBuffer*, const std::string&,
+                                  const alarm_t* message) {
   const TimePoint now = clock_.Now();
   Emit(now, bridge_.OnAlarms(now, ToReport(*message)));
 }
 
-void BridgeNode::OnMission(const lcm::ReceiveBuffer*, const std::string&,
+void BridgeNode::OnMission(const lcm::ReceiveBuffer* buffer, const std::string& channel,
                            const mission_status_t* message) {
+  if (message->relayed == 0) OnTelemetryMission(buffer, channel, message);
+}
+
+void BridgeNode::OnTelemetryMission(const lcm::ReceiveBuffer*, const std::string&,
+                                    const mission_status_t* message) {
   const TimePoint now = clock_.Now();
   Emit(now, bridge_.OnMission(now, ToReport(*message)));
 }
@@ -147,6 +176,7 @@ void BridgeNode::Publish(TimePoint now, const BoxCommand& command) {
   message.horn = command.horn;
   message.buzzer_acknowledge = command.buzzer_acknowledge;
   message.alarm_reset = command.alarm_reset;
+  message.resets = command.resets;
   lcm_.publish(command_channel_, &message);
   ++published_;
 }

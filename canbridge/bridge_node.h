@@ -29,7 +29,8 @@ struct BridgeNodeConfig {
 };
 
 /// The bridge on its bus and its LCM network: box_command_t, link_status_t and the bridge's alarm_t
-/// out; robot_state_t, the simulator's alarm_t and mission_status_t in.
+/// out; robot_state_t, the simulator's alarm_t and mission_status_t in, as the link to the robot
+/// brings them.
 class BridgeNode {
  public:
   /// `bus`, `lcm` and `clock` must outlive the node. Throws std::runtime_error with one line for a
@@ -55,6 +56,12 @@ class BridgeNode {
                const alarm_t* message);
   void OnMission(const lcm::ReceiveBuffer* buffer, const std::string& channel,
                  const mission_status_t* message);
+  void OnTelemetryState(const lcm::ReceiveBuffer* buffer, const std::string& channel,
+                        const robot_state_t* message);
+  void OnTelemetryAlarm(const lcm::ReceiveBuffer* buffer, const std::string& channel,
+                        const alarm_t* message);
+  void OnTelemetryMission(const lcm::ReceiveBuffer* buffer, const std::string& channel,
+                          const mission_status_t* message);
 
   void Emit(TimePoint now, const BridgeOutput& output);
   void Publish(TimePoint now, const BoxCommand& command);
@@ -68,7 +75,7 @@ class BridgeNode {
   const Clock& clock_;
   dbc::ControlMap map_;
   Bridge bridge_;
-  std::array<lcm::Subscription*, 3> subscriptions_{};
+  std::array<lcm::Subscription*, 6> subscriptions_{};
   std::string command_channel_;
   std::string link_channel_;
   std::string alarm_channel_;

@@ -26,6 +26,7 @@ BoxCommand ComposeCommand(const Supervision& supervision, const dbc::PanelState&
   command.camera_select = KnownOr(panel.camera, dbc::CameraSelect::kDrive);
   command.light = panel.light;
   command.infrared = panel.infrared;
+  command.resets = supervision.resets;
   if (fresh.fire && supervision.motion_permitted) {
     command.fire = {.arm_key = panel.arm_key,
                     .fire_left = panel.fire_left,
@@ -48,6 +49,7 @@ BoxCommand ComposeCommand(const Supervision& supervision, const dbc::PanelState&
 int EmergencyCode(const Supervision& supervision) {
   switch (supervision.refusal) {
     case Refusal::kEstop:
+    case Refusal::kRobotEstop:
       return 0x9000;
     case Refusal::kEstopContradiction:
     case Refusal::kBoxFault:
@@ -55,6 +57,7 @@ int EmergencyCode(const Supervision& supervision) {
     case Refusal::kCrcFault:
       return 0x8100;
     case Refusal::kLinkLatched:
+    case Refusal::kRobotLinkLatched:
     case Refusal::kSafetyLost:
     case Refusal::kMotionLost:
     case Refusal::kAxesLost:

@@ -39,6 +39,9 @@ std::string DescribeChannels(const std::string& prefix) {
   add(kAlarmChannel, "both");
   add(kRobotStateChannel, "in");
   add(kMissionStatusChannel, "in");
+  add(kTelemetryStateChannel, "in");
+  add(kTelemetryAlarmChannel, "in");
+  add(kTelemetryMissionChannel, "in");
   return text;
 }
 

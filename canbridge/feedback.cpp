@@ -76,6 +76,7 @@ std::array<LampPattern, dbc::kLampCount> ComposeLamps(const FeedbackSources& sou
       OnIf(sources.is_panel_seen && sources.panel.camera != dbc::CameraSelect::kNotAvailable));
   for (std::size_t i = 0; i < lamps.size(); ++i) {
     if (sources.alarms.lamp[i] != LampPattern::kOff) lamps[i] = sources.alarms.lamp[i];
+    if ((sources.robot.dark_lamps >> i & 1U) != 0) lamps[i] = LampPattern::kOff;
   }
   return lamps;
 }

@@ -28,7 +28,8 @@ struct FeedbackSources {
 /// blink when slipping; mission slow blink in the briefing, on when running or won, fast blink when
 /// lost; armed on while the arm key is on, slow blink when ready to fire, fast blink for a fault of
 /// the fire circuit; fired on after the shot; fault fast blink in state Fault; camera on while a
-/// camera is selected. An alarm's pattern overrides the lamp's state. Without a simulator there is
+/// camera is selected. An alarm's pattern overrides the lamp's state. A broken lamp stays
+/// dark. Without a simulator there is
 /// neither speed nor anything armed.
 dbc::RobotFeedback ComposeFeedback(const FeedbackSources& sources);
 

@@ -64,6 +64,15 @@ void LinkSupervision::NoteSimulator(TimePoint now) {
   Evaluate();
 }
 
+void LinkSupervision::NoteRobotStops(TimePoint now, const RobotStops& stops) {
+  Advance(now);
+  // Told with the link's delay: the latch that a Reset has just cleared must not come back.
+  latches_.robot_link = latches_.robot_link || (stops.link && !robot_stops_.link);
+  latches_.robot_estop = latches_.robot_estop || stops.estop;
+  robot_stops_ = stops;
+  Evaluate();
+}
+
 void LinkSupervision::NoteForeignRobot(TimePoint now) {
   is_foreign_robot_ = true;
   Advance(now);
@@ -110,7 +119,8 @@ void LinkSupervision::CheckOperatorButtons() {
 bool LinkSupervision::CanReset() const {
   return latches_.any() && panel_.estop_a && !panel_.estop_b &&
          panel_.deadman != dbc::Deadman::kPanic && panel_.box_fault == 0 &&
-         !panel_.button_channel_fault && wish_.is_neutral && FindLoss() == Refusal::kNone &&
+         !panel_.button_channel_fault && !robot_stops_.estop && wish_.is_neutral &&
+         FindLoss() == Refusal::kNone &&
          watch(BoxMessage::kMotion).IsFresh(limits_.frame_age, now_);
 }
 
@@ -119,6 +129,7 @@ void LinkSupervision::Reset() {
   for (FrameWatch& each : watches_) each.ForgetCrcErrors();
   is_start_needed_ = true;
   is_neutral_seen_ = false;
+  ++outcome_.resets;
 }
 
 void LinkSupervision::TakeMotion() {
@@ -195,9 +206,10 @@ void LinkSupervision::Evaluate() {
   const dbc::InhibitReason conflict =
       wish_.conflict != 0 ? dbc::InhibitReason::kConflict : dbc::InhibitReason::kNone;
   outcome_.reason = Gravest(ReasonOf(refusal), conflict);
-  outcome_.link_alarm = is_safe_stop_ || latches_.link || latches_.crc || is_foreign_robot_;
+  outcome_.link_alarm =
+      is_safe_stop_ || latches_.link || latches_.robot_link || latches_.crc || is_foreign_robot_;
   outcome_.box_fault_alarm = latches_.box_fault || latches_.estop_contradiction;
-  outcome_.estop_alarm = latches_.estop;
+  outcome_.estop_alarm = latches_.estop || latches_.robot_estop;
 }
 
 Refusal LinkSupervision::FindRefusal() const {
@@ -211,10 +223,12 @@ Refusal LinkSupervision::FindRefusal() const {
 
 Refusal LinkSupervision::FindLatched() const {
   if (latches_.estop) return Refusal::kEstop;
+  if (latches_.robot_estop) return Refusal::kRobotEstop;
   if (latches_.estop_contradiction) return Refusal::kEstopContradiction;
   if (latches_.box_fault) return Refusal::kBoxFault;
   if (latches_.crc) return Refusal::kCrcFault;
   if (latches_.link) return Refusal::kLinkLatched;
+  if (latches_.robot_link) return Refusal::kRobotLinkLatched;
   return Refusal::kNone;
 }
 
@@ -247,7 +261,9 @@ bool LinkSupervision::MayRampDown() const {
 
 SystemState LinkSupervision::FindState(Refusal refusal) const {
   if (is_foreign_robot_) return SystemState::kFault;
-  if (latches_.estop || latches_.estop_contradiction) return SystemState::kEstopLatched;
+  if (latches_.estop || latches_.robot_estop || latches_.estop_contradiction) {
+    return SystemState::kEstopLatched;
+  }
   if (latches_.any()) return SystemState::kFault;
   // A simulator that has not come up yet is no fault for the first moment.
   if (now_ - last_simulator_.value_or(*start_) > limits_.simulator_age) return SystemState::kFault;

@@ -27,6 +27,12 @@ struct SupervisionLimits {
   Duration simulator_age = std::chrono::milliseconds(500);       ///< older: no motion, Fault
 };
 
+/// What the robot says that it stopped for by itself.
+struct RobotStops {
+  bool link = false;   ///< it heard no command for too long, and wants a Reset
+  bool estop = false;  ///< its own emergency stop is pressed
+};
+
 /// What may move now, and why not more.
 struct Supervision {
   dbc::SystemState state = dbc::SystemState::kInit;
@@ -38,6 +44,7 @@ struct Supervision {
   bool link_alarm = false;
   bool box_fault_alarm = false;
   bool estop_alarm = false;
+  int resets = 0;  ///< that were accepted
 
   bool operator==(const Supervision&) const = default;
 };
@@ -63,6 +70,9 @@ class LinkSupervision {
   /// State of the bus; a restart since the last call counts as a loss.
   void NoteBus(TimePoint now, CanBusState state, uint64_t restarts);
   void NoteSimulator(TimePoint now);
+  /// The robot's own stops latch here too: one when it comes, the emergency stop while it is
+  /// pressed.
+  void NoteRobotStops(TimePoint now, const RobotStops& stops);
   /// Another robot sends on this bus: no motion any more.
   void NoteForeignRobot(TimePoint now);
   /// Time passes: time-outs and ramps.
@@ -83,7 +93,11 @@ class LinkSupervision {
     bool box_fault = false;
     bool crc = false;
     bool link = false;
-    bool any() const { return estop || estop_contradiction || box_fault || crc || link; }
+    bool robot_link = false;
+    bool robot_estop = false;
+    bool any() const {
+      return estop || estop_contradiction || box_fault || crc || link || robot_link || robot_estop;
+    }
   };
 
   void TakeSafety();
@@ -116,6 +130,7 @@ class LinkSupervision {
   dbc::PanelState panel_;
   OperatorWish wish_;
   Latches latches_;
+  RobotStops robot_stops_;
   CanBusState bus_state_ = CanBusState::kUp;
   std::optional<uint64_t> bus_restarts_;
   std::optional<TimePoint> last_simulator_;

@@ -27,6 +27,9 @@ Row RowOf(Refusal refusal) {
     case Refusal::kEstop:
       return {InhibitReason::kEstop,
               "emergency stop is latched: release it, all controls neutral, Reset, then Start"};
+    case Refusal::kRobotEstop:
+      return {InhibitReason::kEstop,
+              "emergency stop on the robot itself is latched: release it, then Reset, Start"};
     case Refusal::kEstopContradiction:
       return {InhibitReason::kEstop,
               "box fault: emergency stop channels contradict each other; then Reset, Start"};
@@ -38,6 +41,9 @@ Row RowOf(Refusal refusal) {
     case Refusal::kLinkLatched:
       return {InhibitReason::kLinkLoss,
               "link fault: no valid box frames for more than 500 ms; Reset, then Start"};
+    case Refusal::kRobotLinkLatched:
+      return {InhibitReason::kLinkLoss,
+              "the robot heard no command for more than 500 ms; Reset, then Start"};
     case Refusal::kSafetyLost:
       return {InhibitReason::kLinkLoss, "link lost: no valid safety frame for more than 100 ms"};
     case Refusal::kMotionLost:
@@ -70,10 +76,10 @@ Row RowOf(Refusal refusal) {
 }
 
 constexpr std::array kGravestFirst{
-    InhibitReason::kEstop,         InhibitReason::kLinkLoss,  InhibitReason::kTilt,
-    InhibitReason::kPayload,       InhibitReason::kCollision, InhibitReason::kJointLimit,
-    InhibitReason::kConflict,      InhibitReason::kNotReady,  InhibitReason::kDeadman,
-    InhibitReason::kNeutralNeeded, InhibitReason::kNone};
+    InhibitReason::kEstop,    InhibitReason::kLinkLoss,      InhibitReason::kTilt,
+    InhibitReason::kPayload,  InhibitReason::kCollision,     InhibitReason::kJointLimit,
+    InhibitReason::kConflict, InhibitReason::kCable,         InhibitReason::kNotReady,
+    InhibitReason::kDeadman,  InhibitReason::kNeutralNeeded, InhibitReason::kNone};
 
 }  // namespace
 

@@ -29,7 +29,8 @@ enum class InhibitReason : uint8_t {
   kPayload,
   kTilt,
   kNeutralNeeded,
-  kNotReady
+  kNotReady,
+  kCable  ///< its end is reached, or it pays out no more
 };
 enum class Lamp : uint8_t {
   kPower,

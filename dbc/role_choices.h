@@ -80,7 +80,7 @@ inline constexpr Choice kMissionState{"mission_state", kMissionStateNames, 0};
 
 inline constexpr Names kInhibitNames = {"none",    "collision",      "joint_limit", "conflict",
                                         "deadman", "link_loss",      "estop",       "payload",
-                                        "tilt",    "neutral_needed", "not_ready"};
+                                        "tilt",    "neutral_needed", "not_ready",   "cable"};
 inline constexpr Choice kInhibit{"inhibit_reason", kInhibitNames, 10};
 
 inline constexpr Names kLampNames = {"power", "link",    "estop",   "deadman", "collision",

@@ -41,9 +41,9 @@ inline constexpr std::array<Word, 9> kBoxState{"boot",  "self_test", "standby", 
 inline constexpr std::array<Word, 9> kRobotState{
     "init", "standby", "ready", "operate", "safe_stop", "estop", "fault", "paused", "replay"};
 inline constexpr std::array<Word, 6> kMission{"idle", "brief", "run", "success", "fail", "abort"};
-inline constexpr std::array<Word, 11> kInhibitReason{
-    "none",  "collision", "joint_limit", "conflict",       "deadman",  "link_loss",
-    "estop", "payload",   "tilt",        "neutral_needed", "not_ready"};
+inline constexpr std::array<Word, 12> kInhibitReason{
+    "none",  "collision", "joint_limit", "conflict",       "deadman",   "link_loss",
+    "estop", "payload",   "tilt",        "neutral_needed", "not_ready", "cable"};
 inline constexpr std::array<Word, 8> kGrasp{"open",          "closing",      "contact_left",
                                             "contact_right", "contact_both", "grasped",
                                             "slipping",      "released"};

@@ -35,6 +35,14 @@ inline constexpr Channel kInstructorChannel{"EOD_INSTRUCTOR", "instructor_comman
                                             "any instructor's panel or test", "sim", "on change"};
 inline constexpr Channel kSceneChannel{"EOD_SCENE", "scene_t", "sim", "firmware_emu's scripts",
                                        "on entering or a change of the exercise, and every 100 ms"};
+inline constexpr Channel kTelemetryStateChannel{"EOD_TELEMETRY_STATE", "robot_state_t", "sim",
+                                                "canbridge, recorder",
+                                                "every step that gets through a real link"};
+inline constexpr Channel kTelemetryAlarmChannel{
+    "EOD_TELEMETRY_ALARM", "alarm_t", "sim", "canbridge, recorder", "as EOD_ALARM, over the link"};
+inline constexpr Channel kTelemetryMissionChannel{"EOD_TELEMETRY_MISSION", "mission_status_t",
+                                                  "sim", "canbridge, recorder",
+                                                  "as EOD_MISSION_STATUS, over the link"};
 inline constexpr Channel kDriveCameraChannel{"EOD_CAMERA_DRIVE", "image_t", "sim",
                                              "recorder, console", "25 to 30 Hz"};
 inline constexpr Channel kMastCameraChannel{"EOD_CAMERA_MAST", "image_t", "sim",
@@ -48,11 +56,23 @@ inline constexpr Channel kPanelCommandChannel{"EOD_PANEL_COMMAND", "panel_comman
 inline constexpr Channel kPanelStatusChannel{"EOD_PANEL_STATUS", "panel_status_t", "firmware_emu",
                                              "recorder", "on change, and every 100 ms"};
 
-inline constexpr std::array kChannels{
-    kBoxCommandChannel,   kRobotStateChannel,    kAlarmChannel,         kIsectorHitsChannel,
-    kLinkStatusChannel,   kMissionStatusChannel, kInstructorChannel,    kSceneChannel,
-    kDriveCameraChannel,  kMastCameraChannel,    kGripperCameraChannel, kRearCameraChannel,
-    kPanelCommandChannel, kPanelStatusChannel};
+inline constexpr std::array kChannels{kBoxCommandChannel,
+                                      kRobotStateChannel,
+                                      kAlarmChannel,
+                                      kIsectorHitsChannel,
+                                      kLinkStatusChannel,
+                                      kMissionStatusChannel,
+                                      kInstructorChannel,
+                                      kSceneChannel,
+                                      kTelemetryStateChannel,
+                                      kTelemetryAlarmChannel,
+                                      kTelemetryMissionChannel,
+                                      kDriveCameraChannel,
+                                      kMastCameraChannel,
+                                      kGripperCameraChannel,
+                                      kRearCameraChannel,
+                                      kPanelCommandChannel,
+                                      kPanelStatusChannel};
 
 /// Name of `channel` on the wire for the station `prefix` (empty for a single station).
 inline std::string ChannelName(std::string_view prefix, const Channel& channel) {

@@ -90,9 +90,11 @@ void Simulator::Enter(const Scenario& scenario) {
   } else {
     scenario_ = &scenario;
     place_->Load(scenario);
+    link_ = ControlLink(scenario.link, config_.exercise.link, dt_s_);
   }
   explosion_.Reset();
   StandAtStart();
+  link_.Reset(place_->world, place_->module().class_bit, result_.state, true);
 }
 
 }  // namespace eod::sim

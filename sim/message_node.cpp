@@ -68,7 +68,8 @@ void FillObject(const std::string& name, const Eigen::Isometry3d& X_MO, const Ei
 OperatorCommand ToCommand(const box_command_t& message, TimePoint received) {
   OperatorCommand command;
   command.sequence = message.sequence;
-  command.stamp = received;
+  command.stamp = command.heard = received;
+  command.resets = message.resets;
   command.motion_permitted = message.motion_permitted != 0;
   command.safe_stop = message.system_state == box_command_t::STATE_SAFE_STOP;
   std::copy_n(message.motion_rate, kMotionCount, command.motion_rate.begin());
@@ -126,6 +127,11 @@ void Fill(const Simulator& simulator, robot_state_t& message) {
   message.battery_v = kBatteryVoltage;
   message.battery_soc = 1;
   message.command_sequence = result.command_sequence;
+  message.command_age_ms =
+      result.command_age_s < 0 ? -1 : static_cast<int32_t>(1000 * result.command_age_s);
+  message.link_quality = result.link_quality;
+  message.link_latched = result.link_latched ? 1 : 0;
+  message.cable_m = result.cable_out;
 }
 
 void Fill(const Simulator& simulator, mission_status_t& message) {

@@ -21,7 +21,9 @@ enum InhibitReason : int {
   kReasonEstop = 6,
   kReasonPayload = 7,
   kReasonTilt = 8,
+  kReasonNeutralNeeded = 9,
   kReasonNotReady = 10,
+  kReasonCable = 11,
 };
 
 /// Numbers of box_command_t.menu_command.
@@ -30,7 +32,10 @@ enum MenuCommand : int { kMenuNone, kMenuStart, kMenuPause, kMenuResume, kMenuRe
 /// What the operator asks for, as the bridge passed it on.
 struct OperatorCommand {
   int32_t sequence = 0;
-  TimePoint stamp{};  ///< when it was received
+  TimePoint stamp{};          ///< when it was received, or its link last vouched for it
+  TimePoint heard{};          ///< when it was received
+  int32_t resets = 0;         ///< that the bridge has accepted
+  bool link_latched = false;  ///< the robot heard nothing for too long, and waits for a Reset
   bool motion_permitted = false;
   bool safe_stop = false;  ///< not permitted any more, but the bridge ramps the rates to zero
   std::array<double, kMotionCount> motion_rate{};  ///< 0..1

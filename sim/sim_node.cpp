@@ -8,6 +8,12 @@
 #include "sim/message_node.h"
 
 namespace eod::sim {
+namespace {
+
+constexpr size_t kMostPictures = 64;  // under way: a second of them at their highest rate
+
+}  // namespace
+
 SimNode::SimNode(const SimNodeConfig& config, const RobotModel& robot, const WorldModel& world,
                  const Scenario& scenario, lcm::LCM& lcm, const Clock& clock)
     : config_(config),
@@ -21,6 +27,7 @@ SimNode::SimNode(const SimNodeConfig& config, const RobotModel& robot, const Wor
       isectors_channel_(ChannelName(config.channel_prefix, kIsectorHitsChannel)),
       scene_channel_(ChannelName(config.channel_prefix, kSceneChannel)) {
   alarm_message_.source = alarm_t::SOURCE_SIM;
+  Connect();
   subscription_ = lcm_.subscribe(ChannelName(config.channel_prefix, kBoxCommandChannel),
                                  &SimNode::OnCommand, this);
   instructor_ = lcm_.subscribe(ChannelName(config.channel_prefix, kInstructorChannel),
@@ -32,9 +39,29 @@ SimNode::~SimNode() {
   lcm_.unsubscribe(instructor_);
 }
 
+/// As the exercise wants it; what was under way is lost.
+void SimNode::Connect() {
+  const Scenario& scenario = simulator_.scenario();
+  connected_ = scenario.link;
+  link_.reset();
+  if (!IsPlain(connected_)) {
+    link_.reset(new Link{
+        .commands = CommandLink(connected_.commands, scenario.seed),
+        .telemetry = TelemetryNode(connected_.telemetry, scenario.seed, config_.simulator.period,
+                                   config_.channel_prefix, lcm_),
+        .pictures = {connected_.pictures, scenario.seed, LinkStream::kPictures, kMostPictures}});
+  }
+  state_message_.relayed = alarm_message_.relayed = mission_message_.relayed = link_ ? 1 : 0;
+}
+
 void SimNode::OnCommand(const lcm::ReceiveBuffer* /*buffer*/, const std::string& /*channel*/,
                         const box_command_t* message) {
-  command_ = ToCommand(*message, clock_.Now());
+  const TimePoint now = clock_.Now();
+  if (link_) {
+    link_->commands.Send(now, ToCommand(*message, now), simulator_.link().drop_chance());
+  } else {
+    command_ = ToCommand(*message, now);
+  }
 }
 
 void SimNode::OnInstructor(const lcm::ReceiveBuffer* /*buffer*/, const std::string& /*channel*/,
@@ -61,10 +88,11 @@ void SimNode::OnTick(TimePoint scheduled) {
 }
 
 void SimNode::Step(TimePoint scheduled) {
+  if (link_) link_->commands.Receive(scheduled, command_);
   const StepResult& result = simulator_.Step(scheduled, command_);
+  if (!(simulator_.scenario().link == connected_)) Connect();
   Fill(simulator_, state_message_);
-  lcm_.publish(state_channel_, &state_message_);
-  ++published_;
+  Publish(state_channel_, state_message_);
   PublishAlarms(result);
   PublishMission(result);
   PublishScene(result);
@@ -73,7 +101,17 @@ void SimNode::Step(TimePoint scheduled) {
     lcm_.publish(isectors_channel_, &isectors_message_);
     ++published_;
   }
-  if (scene_output_.show && scheduled >= scene_due_) ShowScene(result);
+  if (link_) published_ += link_->telemetry.Deliver(scheduled);
+  if (scene_output_.show) ShowScene(result);
+}
+
+/// The truth, and a copy of it that sets out for the operator's side.
+template <typename Message>
+void SimNode::Publish(const std::string& channel, const Message& message) {
+  lcm_.publish(channel, &message);
+  ++published_;
+  if (!link_) return;
+  link_->telemetry.Send(simulator_.last().time, message, simulator_.link().drop_chance());
 }
 
 /// A message a change, and the whole set again now and then for whoever came late.
@@ -103,16 +141,14 @@ void SimNode::PublishAlarm(TimePoint time) {
     alarm_message_.active_parts.push_back(static_cast<int32_t>(alarm.parts));
   }
   alarm_message_.num_active = static_cast<int16_t>(alarm_message_.active_code.size());
-  lcm_.publish(alarm_channel_, &alarm_message_);
-  ++published_;
+  Publish(alarm_channel_, alarm_message_);
   alarms_due_ = time + config_.alarm_repeat;
 }
 
 void SimNode::PublishMission(const StepResult& result) {
   if (!result.task_changed && result.time < mission_due_) return;
   Fill(simulator_, mission_message_);
-  lcm_.publish(mission_channel_, &mission_message_);
-  ++published_;
+  Publish(mission_channel_, mission_message_);
   mission_due_ = result.time + config_.mission_repeat;
 }
 
@@ -127,34 +163,50 @@ void SimNode::PublishScene(const StepResult& result) {
 
 /// Hands a copy of the step to the cameras, at their rate: they must never make a step wait.
 void SimNode::ShowScene(const StepResult& result) {
+  if (result.time >= scene_due_) TakeScene(result);
+  if (!link_) return;
+  while (const SceneSnapshot* arrived = link_->pictures.Receive(result.time)) {
+    scene_output_.show(*arrived);
+  }
+}
+
+void SimNode::TakeScene(const StepResult& result) {
   // The rate holds on average although pictures can only start at a step; after a gap it starts
   // anew.
   scene_due_ += scene_output_.period;
   if (scene_due_ <= result.time) scene_due_ = result.time + scene_output_.period;
-  snapshot_.time = result.time;
-  snapshot_.module = result.module;
-  snapshot_.camera_select = command_.camera_select;
-  snapshot_.state = result.state;
-  snapshot_.movables.clear();
+  SceneSnapshot* snapshot =
+      link_ ? link_->pictures.Send(result.time, simulator_.link().drop_chance()) : &snapshot_;
+  if (snapshot == nullptr) return;
+  FillScene(result, *snapshot);
+  if (!link_) scene_output_.show(*snapshot);
+}
+
+void SimNode::FillScene(const StepResult& result, SceneSnapshot& snapshot) const {
+  snapshot.time = result.time;
+  snapshot.link_quality = static_cast<float>(result.link_quality);
+  snapshot.module = result.module;
+  snapshot.camera_select = command_.camera_select;
+  snapshot.state = result.state;
+  snapshot.movables.clear();
   for (const BodyState& body : simulator_.bodies()) {
-    snapshot_.movables.push_back({.X_MO = body.X_MO, .is_visible = !body.is_gone});
+    snapshot.movables.push_back({.X_MO = body.X_MO, .is_visible = !body.is_gone});
   }
   const Explosion& explosion = simulator_.explosion();
-  snapshot_.quads.assign(explosion.quads().begin(), explosion.quads().end());
-  snapshot_.effects = explosion.effects();
-  snapshot_.segments.clear();
+  snapshot.quads.assign(explosion.quads().begin(), explosion.quads().end());
+  snapshot.effects = explosion.effects();
+  snapshot.segments.clear();
   if (scene_output_.draw_isectors) {
     const auto segments = simulator_.isectors().segments();
     for (size_t i = 0; i < segments.size(); ++i) {
       const SegmentQuery& query = segments[i].query;
-      snapshot_.segments.push_back({.start = query.start,
-                                    .end = query.start + query.direction * query.length,
-                                    .hit = segments[i].hit.hit,
-                                    .contact = simulator_.response().contacts[i].contact,
-                                    .point = segments[i].hit.point});
+      snapshot.segments.push_back({.start = query.start,
+                                   .end = query.start + query.direction * query.length,
+                                   .hit = segments[i].hit.hit,
+                                   .contact = simulator_.response().contacts[i].contact,
+                                   .point = segments[i].hit.point});
     }
   }
-  scene_output_.show(snapshot_);
 }
 
 }  // namespace eod::sim

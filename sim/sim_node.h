@@ -17,7 +17,9 @@
 
 #include "platform/clock.h"
 #include "sim/camera/camera_thread.h"
+#include "sim/command_link.h"
 #include "sim/simulator.h"
+#include "sim/telemetry_node.h"
 
 namespace eod::sim {
 
@@ -38,6 +40,9 @@ struct SceneOutput {
 };
 
 /// The simulator on LCM: commands of box and instructor in; robot state, alarms and mission out.
+///
+/// With a link that takes time or loses messages, commands come late, what the operator's side
+/// hears goes out on the telemetry channels when it arrives there, and pictures are shown late.
 class SimNode {
  public:
   /// `robot` and `world` must outlive the node. Throws as Simulator does.
@@ -72,12 +77,17 @@ class SimNode {
                  const box_command_t* message);
   void OnInstructor(const lcm::ReceiveBuffer* buffer, const std::string& channel,
                     const instructor_command_t* message);
+  void Connect();
   void Step(TimePoint scheduled);
+  template <typename Message>
+  void Publish(const std::string& channel, const Message& message);
   void PublishAlarms(const StepResult& result);
   void PublishAlarm(TimePoint time);
   void PublishMission(const StepResult& result);
   void PublishScene(const StepResult& result);
   void ShowScene(const StepResult& result);
+  void TakeScene(const StepResult& result);
+  void FillScene(const StepResult& result, SceneSnapshot& snapshot) const;
 
   SimNodeConfig config_;
   const RobotModel& robot_;
@@ -88,6 +98,14 @@ class SimNode {
   lcm::Subscription* instructor_ = nullptr;
   std::optional<int32_t> instructed_;  ///< sequence of the last command
   OperatorCommand command_;
+  /// The link to the operator's side; none of them if it is as if both were one.
+  struct Link {
+    CommandLink commands;
+    TelemetryNode telemetry;
+    DelayLine<SceneSnapshot> pictures;
+  };
+  std::unique_ptr<Link> link_;
+  ControlLinkSpec connected_;  ///< what link_ was made of
   SceneOutput scene_output_;
   SceneSnapshot snapshot_;
   uint64_t published_ = 0;

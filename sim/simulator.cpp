@@ -28,6 +28,7 @@ Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Sce
       drives_(robot_),
       preset_run_(robot_),
       payload_(robot_),
+      link_(scenario.link, config.exercise.link, dt_s_),
       alarm_rules_(config.exercise.tilt),
       explosion_(config.exercise.explosion),
       menu_(scenario, config.catalogue),
@@ -82,6 +83,7 @@ const StepResult& Simulator::Step(TimePoint now, const OperatorCommand& command)
   // A robot that stands still stands where it stood, to the last bit.
   if (Move(wanted, inhibition, verdict) || !before.at_rest) StandOnGround(before);
   Dispose(command);
+  link_.Advance(place_->world, result_.state, false, false);
   Report(command, wish, inhibition);
   UpdateAlarms(wish.demand.commanded, inhibition);
   UpdateTask(contacts_before, command);
@@ -121,10 +123,10 @@ MotionDemand Simulator::Want(const Wish& wish) {
 }
 
 Simulator::Inhibition Simulator::Inhibit(const MotionDemand& wanted) {
-  return {
-      .limit = LimitedMotions(robot_, result_.state) & wanted.commanded,
-      .tilt = TiltingMotions() & wanted.commanded,
-      .payload = payload_.Forbidden(result_.state, wanted, place_->disposal.held_mass(), dt_s_)};
+  return {.limit = LimitedMotions(robot_, result_.state) & wanted.commanded,
+          .tilt = TiltingMotions() & wanted.commanded,
+          .payload = payload_.Forbidden(result_.state, wanted, place_->disposal.held_mass(), dt_s_),
+          .cable = link_.ForbiddenMotions(result_.state) & wanted.commanded};
 }
 
 void Simulator::Cast(MotionSet wanted) {

@@ -16,6 +16,7 @@
 #include "sim/operator_command.h"
 #include "sim/place.h"
 #include "sim/plume/explosion.h"
+#include "sim/radio/control_link.h"
 #include "sim/response/response.h"
 #include "sim/robot/robot_model.h"
 #include "sim/scenario/exercise_menu.h"
@@ -51,6 +52,11 @@ struct StepResult {
   int inhibit_reason = kReasonNone;  ///< of several: collision, joint limit, tilt, others
   uint32_t contact_parts = 0;
   int32_t command_sequence = 0;
+  double command_age_s = -1;               ///< [s] since a command got through, negative: never
+  double link_lost_s = 0;                  ///< the same once that is too long, else 0
+  bool link_latched = false;               ///< the robot waits for a Reset
+  double link_quality = 1;                 ///< 0..1
+  double cable_out = 0;                    ///< [m] paid out; 0 without a cable
   std::vector<AlarmChange> alarm_changes;  ///< of this step
   DisposalStatus disposal;
   Eigen::Vector3d charge = Eigen::Vector3d::Zero();  ///< where disposal.bomb_body is; 0 if none
@@ -87,6 +93,7 @@ class Simulator {
   const Scenario& scenario() const { return *scenario_; }
   const ModuleModel& module() const { return place_->module(); }
   const World& world() const { return place_->world; }
+  const ControlLink& link() const { return link_; }
   /// The movables of the module, in its order.
   std::span<const BodyState> bodies() const { return place_->bodies.states(); }
   /// Flash, fire and smoke.
@@ -109,7 +116,8 @@ class Simulator {
     MotionSet limit = 0;    ///< the joint stands on its limit
     MotionSet tilt = 0;     ///< it would tilt the robot too far
     MotionSet payload = 0;  ///< what the hand holds is too heavy farther out
-    MotionSet all() const { return limit | tilt | payload; }
+    MotionSet cable = 0;    ///< it holds the robot back
+    MotionSet all() const { return limit | tilt | payload | cable; }
   };
 
   MotionDemand Want(const Wish& wish);
@@ -137,6 +145,7 @@ class Simulator {
   Drives drives_;
   PresetRun preset_run_;
   Payload payload_;
+  ControlLink link_;
   AlarmTable alarms_;
   AlarmRules alarm_rules_;
   Response response_;

@@ -23,12 +23,20 @@ void Simulator::Report(const OperatorCommand& command, const Wish& wish,
   result_.command_sequence = command.sequence;
   result_.inhibited =
       (response_.blocked | inhibition.all() | wish.refused | command.inhibited) & kAllMotions;
+  const bool heard = command.heard != TimePoint{};
+  result_.command_age_s = heard ? ToSeconds(result_.time - command.heard) : -1;
+  result_.link_lost_s = LinkLost(command);
+  result_.link_latched = command.link_latched;
+  result_.link_quality = link_.quality();
+  result_.cable_out =
+      scenario_->link.kind == ControlLinkSpec::Kind::kCable ? link_.cable().paid_out() : 0;
   const bool wrecked = result_.disposal.robot_destroyed;
   if (wrecked) result_.inhibited = kAllMotions;
   result_.inhibit_reason = wrecked                      ? kReasonNotReady
                            : response_.blocked != 0     ? kReasonCollision
                            : inhibition.tilt != 0       ? kReasonTilt
                            : inhibition.payload != 0    ? kReasonPayload
+                           : inhibition.cable != 0      ? kReasonCable
                            : inhibition.limit != 0      ? kReasonJointLimit
                            : wish.reason != kReasonNone ? wish.reason
                                                         : command.inhibit_reason;
@@ -85,9 +93,9 @@ bool Simulator::SeesObject(int camera_select) {
 double Simulator::LinkLost(const OperatorCommand& command) {
   box_lost_steps_ = command.inhibit_reason == kReasonLinkLoss ? box_lost_steps_ + 1 : 0;
   const double box_lost_s = static_cast<double>(box_lost_steps_) * dt_s_;
-  const Duration silence = result_.time - command.stamp;
-  const bool is_silent = command.stamp != TimePoint{} && silence >= config_.command_timeout;
-  return is_silent ? std::max(box_lost_s, ToSeconds(silence)) : box_lost_s;
+  const double silence_s = result_.command_age_s;
+  const bool is_silent = silence_s >= ToSeconds(config_.command_timeout);
+  return is_silent ? std::max(box_lost_s, silence_s) : box_lost_s;
 }
 
 void Simulator::UpdateTask(uint32_t contacts_before, const OperatorCommand& command) {
@@ -105,6 +113,7 @@ void Simulator::UpdateTask(uint32_t contacts_before, const OperatorCommand& comm
   inputs.ended = std::exchange(end_asked_, false);
   inputs.new_contact = (response_.contact_parts & ~contacts_before) != 0;
   inputs.in_contact = response_.contact_parts != 0;
+  inputs.link_lost_s = result_.link_lost_s;
   inputs.rolled_over = alarms_.IsActive(AlarmCode::kRollover);
   if (first >= 0) {
     const CastSegment& cast = place_->isectors.segments()[first];
@@ -119,7 +128,6 @@ void Simulator::UpdateTask(uint32_t contacts_before, const OperatorCommand& comm
   inputs.forward_object = place_->world.ObjectName(ahead.object);
   inputs.estopped = estopped_;
   inputs.ended_by_instructor = std::exchange(instructor_ends_, false);
-  inputs.link_lost_s = LinkLost(command);
   inputs.sees_object = SeesObject(command.camera_select);
   inputs.disposal = &result_.disposal;
   inputs.movables = place_->poses();

@@ -39,7 +39,8 @@ struct DrawnMovable {
 struct SceneSnapshot {
   TimePoint time{};
   int module = 1;
-  int camera_select = 1;  ///< the operator's, see CameraChoice
+  int camera_select = 1;   ///< the operator's, see CameraChoice
+  float link_quality = 1;  ///< 0..1 of the link that brings the pictures
   RobotState state;
   std::vector<DrawnSegment> segments;  ///< empty unless isectors are drawn
   /// Those beyond its end stand where the module has them at the start.

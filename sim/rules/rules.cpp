@@ -11,8 +11,8 @@ namespace eod::sim {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr std::array<std::string_view, 8> kTables = {
-    "tilt", "grasp", "charge", "vessel", "disrupter", "explosion", "score", "critical"};
+constexpr std::array<std::string_view, 9> kTables = {
+    "tilt", "grasp", "charge", "vessel", "disrupter", "explosion", "score", "critical", "link"};
 
 TiltRules ReadTilt(const TomlTable& table) {
   constexpr std::array<std::string_view, 2> kKeys = {"alarm_deg", "rollover_deg"};
@@ -37,6 +37,17 @@ CriticalRules ReadCritical(const TomlTable& table) {
           .bomb_below = table.Number("bomb_below_m", -1000, 0)};
 }
 
+LinkRules ReadLink(const TomlTable& table) {
+  constexpr std::array<std::string_view, 5> kKeys = {
+      "check_period_s", "base_antenna_m", "robot_antenna_m", "drop_below", "cable_height_m"};
+  table.RejectUnknownKeys(kKeys);
+  return {.check_period = table.Number("check_period_s", 0.02, 2),
+          .base_antenna = table.Number("base_antenna_m", 0.1, 20),
+          .robot_antenna = table.Number("robot_antenna_m", 0.1, 5),
+          .drop_below = table.Number("drop_below", 0.01, 1),
+          .cable_height = table.Number("cable_height_m", 0.05, 1)};
+}
+
 }  // namespace
 
 Rules LoadRules(const std::filesystem::path& file) {
@@ -51,7 +62,8 @@ Rules LoadRules(const std::filesystem::path& file) {
           .disrupter = ReadDisrupter(table.Table("disrupter")),
           .explosion = ReadExplosion(table.Table("explosion")),
           .score = ReadScore(table.Table("score")),
-          .critical = ReadCritical(table.Table("critical"))};
+          .critical = ReadCritical(table.Table("critical")),
+          .link = ReadLink(table.Table("link"))};
 }
 
 }  // namespace eod::sim

@@ -5,6 +5,7 @@
 #include "sim/rules/critical_rules.h"
 #include "sim/rules/disposal_rules.h"
 #include "sim/rules/explosion_rules.h"
+#include "sim/rules/link_rules.h"
 #include "sim/rules/score_rules.h"
 
 namespace eod::sim {
@@ -27,6 +28,7 @@ struct Rules {
   ExplosionRules explosion;
   ScoreRules score;
   CriticalRules critical;
+  LinkRules link;
 };
 
 /// Reads and checks the rules. Throws std::runtime_error with one line "FILE:LINE: …".

@@ -32,6 +32,13 @@ struct ControlLinkSpec {
   bool operator==(const ControlLinkSpec&) const = default;
 };
 
+/// Whether nothing gets late or lost: as if box and robot were one.
+inline bool IsPlain(const ControlLinkSpec& spec) {
+  const TrafficSpec none;
+  return spec.kind == ControlLinkSpec::Kind::kIdeal && spec.commands == none &&
+         spec.telemetry == none && spec.pictures == none;
+}
+
 /// Reads [link]. Throws "FILE:LINE: …".
 ControlLinkSpec ReadControlLinkSpec(const TomlTable& table);
 

@@ -21,6 +21,7 @@ _SIM_STAGES = {
     "sim/robot": ["sim/geometry", "sim/sdf", "sim/segments"],
     "sim/world": ["sim/geometry", "sim/sdf", "sim/segments"],
     "sim/scenario": ["sim/geometry", "sim/rules", "sim/segments", "sim/world"],
+    "sim/radio": ["sim/geometry", "sim/rules", "sim/segments", "sim/robot", "sim/world", "sim/scenario"],
     "sim/motion": ["sim/geometry", "sim/robot", "sim/world"],
     "sim/isectors": ["sim/geometry", "sim/segments", "sim/robot", "sim/world", "sim/motion"],
     "sim/response": ["sim/geometry", "sim/segments", "sim/robot", "sim/world", "sim/motion", "sim/isectors"],

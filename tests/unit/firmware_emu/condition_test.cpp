@@ -138,7 +138,7 @@ TEST_F(ConditionOn, GraspBombFireReasonAndFailureByTheirWords) {
         [this](int i) { status_.feedback.fire_state = i; });
   check("reason",
         {"none", "collision", "joint_limit", "conflict", "deadman", "link_loss", "estop", "payload",
-         "tilt", "neutral_needed", "not_ready"},
+         "tilt", "neutral_needed", "not_ready", "cable"},
         [this](int i) { status_.feedback.inhibit_reason = static_cast<dbc::InhibitReason>(i); });
   check("failure",
         {"none", "exploded", "time_out", "rollover", "out_of_area", "link_lost", "estop",
@@ -146,7 +146,7 @@ TEST_F(ConditionOn, GraspBombFireReasonAndFailureByTheirWords) {
         [this](int i) { status_.feedback.fail_reason = i; });
   EXPECT_TRUE(Is("not grasp slipping"));
   EXPECT_EQ(Seen("grasp grasped"), "grasp is released");
-  EXPECT_EQ(Seen("reason none"), "reason is not_ready");
+  EXPECT_EQ(Seen("reason none"), "reason is cable");
 }
 
 TEST_F(ConditionOn, ObservationsSayWhatIsThereInstead) {
