@@ -21,11 +21,11 @@ struct TrafficSpec {
 struct ControlLinkSpec {
   enum class Kind : uint8_t { kIdeal, kRadio, kCable };
   Kind kind = Kind::kIdeal;
-  TrafficSpec commands;
-  TrafficSpec telemetry;
-  TrafficSpec pictures;
+  TrafficSpec commands = {};
+  TrafficSpec telemetry = {};
+  TrafficSpec pictures = {};
   /// Local x, y [m] of the operator's antenna or cable reel; none: the start.
-  std::optional<Eigen::Vector2d> base;
+  std::optional<Eigen::Vector2d> base = {};
   double range = 500;         ///< [m] radio: where quality has fallen to 0 in the line of sight
   double wall_loss = 0.15;    ///< radio: share of quality that a wall in the way takes
   double cable_length = 100;  ///< [m]
