@@ -43,6 +43,8 @@ inline constexpr Channel kTelemetryAlarmChannel{
 inline constexpr Channel kTelemetryMissionChannel{"EOD_TELEMETRY_MISSION", "mission_status_t",
                                                   "sim", "canbridge, recorder",
                                                   "as EOD_MISSION_STATUS, over the link"};
+inline constexpr Channel kFaultEventChannel{"EOD_FAULT_EVENT", "fault_event_t", "sim", "recorder",
+                                            "when a fault of the exercise begins or ends"};
 inline constexpr Channel kDriveCameraChannel{"EOD_CAMERA_DRIVE", "image_t", "sim",
                                              "recorder, console", "25 to 30 Hz"};
 inline constexpr Channel kMastCameraChannel{"EOD_CAMERA_MAST", "image_t", "sim",
@@ -67,6 +69,7 @@ inline constexpr std::array kChannels{kBoxCommandChannel,
                                       kTelemetryStateChannel,
                                       kTelemetryAlarmChannel,
                                       kTelemetryMissionChannel,
+                                      kFaultEventChannel,
                                       kDriveCameraChannel,
                                       kMastCameraChannel,
                                       kGripperCameraChannel,

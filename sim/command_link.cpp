@@ -1,18 +1,6 @@
 #include "sim/command_link.h"
 
 namespace eod::sim {
-namespace {
-
-MotionSet AskedMotions(const OperatorCommand& command) {
-  MotionSet asked = 0;
-  for (int motion = 0; motion < kMotionCount; ++motion) {
-    if (command.motion_rate[motion] > 0) asked |= SetOf(motion);
-  }
-  return asked;
-}
-
-}  // namespace
-
 void CommandLink::Send(TimePoint now, const OperatorCommand& command, double drop) {
   if (OperatorCommand* slot = line_.Send(now, drop)) *slot = command;
 }

@@ -6,7 +6,7 @@ namespace eod::sim {
 /// What the operator wishes, as far as the instructor lets him.
 Wish Simulator::Hear(const OperatorCommand& command, TimePoint now) const {
   if (paused_) return {};
-  const Wish wish = WishOf(command, now, config_.command_timeout);
+  const Wish wish = WishOf(command, faults_.active(), now, config_.command_timeout);
   if (!estopped_) return wish;
   Wish stopped;
   stopped.refused = wish.demand.commanded | wish.refused;
@@ -91,8 +91,12 @@ void Simulator::Enter(const Scenario& scenario) {
     scenario_ = &scenario;
     place_->Load(scenario);
     link_ = ControlLink(scenario.link, config_.exercise.link, dt_s_);
+    faults_ = FaultInjector(scenario, robot_);
+    ++exercises_;
   }
   explosion_.Reset();
+  faults_.Reset();
+  battery_.Reset();
   StandAtStart();
   link_.Reset(place_->world, place_->module().class_bit, result_.state, true);
 }

@@ -8,9 +8,6 @@
 namespace eod::sim {
 namespace {
 
-// The battery is not simulated: a full one, as a 24 V pack rests.
-constexpr double kBatteryVoltage = 25.6;  // [V]
-
 double ToDegrees(double radians) { return radians * (180 / std::numbers::pi); }
 
 /// Writes a point of the module's frame as a point of the world's.
@@ -124,14 +121,33 @@ void Fill(const Simulator& simulator, robot_state_t& message) {
   message.fire_state = static_cast<int8_t>(disposal.fire);
   message.fire_nonce = static_cast<int16_t>(disposal.fire_nonce);
   message.circuit_continuity = static_cast<int8_t>(disposal.circuit_continuity);
-  message.battery_v = kBatteryVoltage;
-  message.battery_soc = 1;
+  message.battery_v = result.battery_v;
+  message.battery_soc = result.battery_soc;
+  message.field_estop = result.field_estop ? 1 : 0;
+  message.dark_lamps = static_cast<int16_t>(simulator.faults().active().dark_lamps);
   message.command_sequence = result.command_sequence;
   message.command_age_ms =
       result.command_age_s < 0 ? -1 : static_cast<int32_t>(1000 * result.command_age_s);
   message.link_quality = result.link_quality;
   message.link_latched = result.link_latched ? 1 : 0;
   message.cable_m = result.cable_out;
+}
+
+void ShowOffsets(const ActiveFaults& faults, robot_state_t& message) {
+  for (int j = 0; j < kJointCount; ++j) {
+    const double offset = faults.joint_offset[j];
+    message.joint[j] += j == kGripperOpening ? offset : ToDegrees(offset);
+  }
+}
+
+void Fill(const FaultInjector& faults, const FaultChange& change, fault_event_t& message) {
+  const auto& spec = faults.specs()[static_cast<size_t>(change.index)];
+  message.code = fault_event_t::CODE_FAULT;
+  message.index = static_cast<int16_t>(change.index);
+  message.begins = change.begins ? 1 : 0;
+  message.kind = NameOf(spec.kind);
+  message.target = spec.target;
+  message.amount = spec.amount;
 }
 
 void Fill(const Simulator& simulator, mission_status_t& message) {

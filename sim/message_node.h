@@ -1,6 +1,7 @@
 #pragma once
 
 #include "eod/box_command_t.hpp"
+#include "eod/fault_event_t.hpp"
 #include "eod/instructor_command_t.hpp"
 #include "eod/isector_hits_t.hpp"
 #include "eod/mission_status_t.hpp"
@@ -22,7 +23,11 @@ InstructorCommand ToCommand(const instructor_command_t& message);
 
 void Fill(const Simulator& simulator, robot_state_t& message);
 void Fill(const Simulator& simulator, mission_status_t& message);
+void Fill(const FaultInjector& faults, const FaultChange& change, fault_event_t& message);
 void Fill(const RobotModel& robot, const Simulator& simulator, isector_hits_t& message);
 void Fill(const Simulator& simulator, scene_t& message);
+
+/// Makes of the truth what broken sensors show of it.
+void ShowOffsets(const ActiveFaults& faults, robot_state_t& message);
 
 }  // namespace eod::sim

@@ -10,14 +10,19 @@ constexpr MotionSet kPresetMotions = (SetOf(kCameraPanLeft) - 1) & ~(SetOf(kFron
 
 }  // namespace
 
-Wish WishOf(const OperatorCommand& command, TimePoint now, Duration timeout) {
-  Wish wish;
-  if (!command.motion_permitted && !command.safe_stop) return wish;
-
+MotionSet AskedMotions(const OperatorCommand& command) {
   MotionSet asked = 0;
   for (int motion = 0; motion < kMotionCount; ++motion) {
     if (command.motion_rate[motion] > 0) asked |= SetOf(motion);
   }
+  return asked;
+}
+
+Wish WishOf(const OperatorCommand& command, TimePoint now, Duration timeout) {
+  Wish wish;
+  if (!command.motion_permitted && !command.safe_stop) return wish;
+
+  const MotionSet asked = AskedMotions(command);
   const bool known_range = command.speed_range >= 0 && command.speed_range <= 2;
   if (now - command.stamp >= timeout || !known_range) {
     wish.refused = asked;
@@ -45,6 +50,22 @@ Wish WishOf(const OperatorCommand& command, TimePoint now, Duration timeout) {
     wish.demand.commanded |= SetOf(motion);
   }
   return wish;
+}
+
+Wish WishOf(const OperatorCommand& command, const ActiveFaults& faults, TimePoint now,
+            Duration timeout) {
+  if (faults.field_estop) {
+    Wish wish;
+    wish.refused = AskedMotions(command);
+    wish.reason = kReasonEstop;
+    return wish;
+  }
+  if (faults.stuck_buttons == 0 || !command.motion_permitted) return WishOf(command, now, timeout);
+  OperatorCommand pressed = command;
+  for (int motion = 0; motion < kMotionCount; ++motion) {
+    if (Contains(faults.stuck_buttons, motion)) pressed.motion_rate[motion] = 1;
+  }
+  return WishOf(pressed, now, timeout);
 }
 
 }  // namespace eod::sim

@@ -5,6 +5,7 @@
 
 #include "platform/time.h"
 #include "sim/disposal/disposal_status.h"
+#include "sim/faults/active_faults.h"
 #include "sim/motion/motion.h"
 #include "sim/robot/motion_id.h"
 
@@ -50,6 +51,9 @@ struct OperatorCommand {
   int menu_command = 0;   ///< MenuCommand; acts when it changes
 };
 
+/// Motions that a command asks for.
+MotionSet AskedMotions(const OperatorCommand& command);
+
 /// What is left of a command that can be trusted.
 struct Wish {
   MotionDemand demand;
@@ -64,5 +68,10 @@ struct Wish {
 /// older, an unknown speed range. Opposite motions together are both refused; a rate is clamped to
 /// 0..1, and NaN is 0. A preset and a button that moves arm or flippers are refused together.
 Wish WishOf(const OperatorCommand& command, TimePoint now, Duration timeout);
+
+/// The same of a robot and a box that `faults` are in: a stuck button asks for its motion wherever
+/// motion is permitted, and the emergency stop on the robot refuses everything.
+Wish WishOf(const OperatorCommand& command, const ActiveFaults& faults, TimePoint now,
+            Duration timeout);
 
 }  // namespace eod::sim

@@ -1,5 +1,6 @@
 #include "sim/sim_node.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include <fmt/core.h>
@@ -12,6 +13,15 @@ namespace {
 
 constexpr size_t kMostPictures = 64;  // under way: a second of them at their highest rate
 
+/// Whether the operator's side may hear less, later or other than the truth.
+bool NeedsLink(const Scenario& scenario) {
+  const auto falsifies = [](const FaultSpec& fault) {
+    return fault.kind == FaultSpec::Kind::kRadioLoss ||
+           fault.kind == FaultSpec::Kind::kSensorOffset;
+  };
+  return !IsPlain(scenario.link) || std::ranges::any_of(scenario.faults, falsifies);
+}
+
 }  // namespace
 
 SimNode::SimNode(const SimNodeConfig& config, const RobotModel& robot, const WorldModel& world,
@@ -22,6 +32,7 @@ SimNode::SimNode(const SimNodeConfig& config, const RobotModel& robot, const Wor
       lcm_(lcm),
       clock_(clock),
       state_channel_(ChannelName(config.channel_prefix, kRobotStateChannel)),
+      fault_channel_(ChannelName(config.channel_prefix, kFaultEventChannel)),
       alarm_channel_(ChannelName(config.channel_prefix, kAlarmChannel)),
       mission_channel_(ChannelName(config.channel_prefix, kMissionStatusChannel)),
       isectors_channel_(ChannelName(config.channel_prefix, kIsectorHitsChannel)),
@@ -42,14 +53,15 @@ SimNode::~SimNode() {
 /// As the exercise wants it; what was under way is lost.
 void SimNode::Connect() {
   const Scenario& scenario = simulator_.scenario();
-  connected_ = scenario.link;
+  const ControlLinkSpec& link = scenario.link;
+  connected_ = simulator_.exercises();
   link_.reset();
-  if (!IsPlain(connected_)) {
-    link_.reset(new Link{
-        .commands = CommandLink(connected_.commands, scenario.seed),
-        .telemetry = TelemetryNode(connected_.telemetry, scenario.seed, config_.simulator.period,
-                                   config_.channel_prefix, lcm_),
-        .pictures = {connected_.pictures, scenario.seed, LinkStream::kPictures, kMostPictures}});
+  if (NeedsLink(scenario)) {
+    link_.reset(
+        new Link{.commands = CommandLink(link.commands, scenario.seed),
+                 .telemetry = TelemetryNode(link.telemetry, scenario.seed, config_.simulator.period,
+                                            config_.channel_prefix, lcm_),
+                 .pictures = {link.pictures, scenario.seed, LinkStream::kPictures, kMostPictures}});
   }
   state_message_.relayed = alarm_message_.relayed = mission_message_.relayed = link_ ? 1 : 0;
 }
@@ -90,9 +102,9 @@ void SimNode::OnTick(TimePoint scheduled) {
 void SimNode::Step(TimePoint scheduled) {
   if (link_) link_->commands.Receive(scheduled, command_);
   const StepResult& result = simulator_.Step(scheduled, command_);
-  if (!(simulator_.scenario().link == connected_)) Connect();
-  Fill(simulator_, state_message_);
-  Publish(state_channel_, state_message_);
+  if (simulator_.exercises() != connected_) Connect();
+  PublishState();
+  PublishFaults(result);
   PublishAlarms(result);
   PublishMission(result);
   PublishScene(result);
@@ -110,8 +122,33 @@ template <typename Message>
 void SimNode::Publish(const std::string& channel, const Message& message) {
   lcm_.publish(channel, &message);
   ++published_;
+  Relay(message);
+}
+
+template <typename Message>
+void SimNode::Relay(const Message& message) {
   if (!link_) return;
   link_->telemetry.Send(simulator_.last().time, message, simulator_.link().drop_chance());
+}
+
+void SimNode::PublishState() {
+  Fill(simulator_, state_message_);
+  lcm_.publish(state_channel_, &state_message_);
+  ++published_;
+  if (!link_) return;
+  shown_message_ = state_message_;
+  ShowOffsets(simulator_.faults().active(), shown_message_);
+  Relay(shown_message_);
+}
+
+void SimNode::PublishFaults(const StepResult& result) {
+  for (const FaultChange& change : simulator_.faults().changes()) {
+    Fill(simulator_.faults(), change, fault_message_);
+    fault_message_.utime = ToUtime(result.time);
+    fault_message_.step = result.step;
+    lcm_.publish(fault_channel_, &fault_message_);
+    ++published_;
+  }
 }
 
 /// A message a change, and the whole set again now and then for whoever came late.

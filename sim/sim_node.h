@@ -9,6 +9,7 @@
 
 #include "eod/alarm_t.hpp"
 #include "eod/box_command_t.hpp"
+#include "eod/fault_event_t.hpp"
 #include "eod/instructor_command_t.hpp"
 #include "eod/isector_hits_t.hpp"
 #include "eod/mission_status_t.hpp"
@@ -81,6 +82,10 @@ class SimNode {
   void Step(TimePoint scheduled);
   template <typename Message>
   void Publish(const std::string& channel, const Message& message);
+  template <typename Message>
+  void Relay(const Message& message);
+  void PublishState();
+  void PublishFaults(const StepResult& result);
   void PublishAlarms(const StepResult& result);
   void PublishAlarm(TimePoint time);
   void PublishMission(const StepResult& result);
@@ -105,7 +110,7 @@ class SimNode {
     DelayLine<SceneSnapshot> pictures;
   };
   std::unique_ptr<Link> link_;
-  ControlLinkSpec connected_;  ///< what link_ was made of
+  int connected_ = 0;  ///< exercise that link_ was made for
   SceneOutput scene_output_;
   SceneSnapshot snapshot_;
   uint64_t published_ = 0;
@@ -117,11 +122,14 @@ class SimNode {
   TimePoint scene_message_due_{};
   // Messages and names keep their memory from step to step.
   robot_state_t state_message_{};
+  robot_state_t shown_message_{};
+  fault_event_t fault_message_{};
   alarm_t alarm_message_{};
   mission_status_t mission_message_{};
   isector_hits_t isectors_message_{};
   scene_t scene_message_{};
   std::string state_channel_;
+  std::string fault_channel_;
   std::string alarm_channel_;
   std::string mission_channel_;
   std::string isectors_channel_;

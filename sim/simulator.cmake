@@ -6,5 +6,5 @@ eod_library(eod_simulator
           telemetry_node.cpp
   DEPENDS eod_platform lcmtypes eod_sim_robot eod_sim_world eod_sim_motion eod_sim_isectors
           eod_sim_response eod_sim_rules eod_sim_scenario eod_sim_bodies eod_sim_stance eod_sim_disposal eod_sim_plume
-          eod_sim_alarms eod_sim_task eod_sim_radio
+          eod_sim_alarms eod_sim_task eod_sim_radio eod_sim_battery eod_sim_faults
   HIDES fmt::fmt)

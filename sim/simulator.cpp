@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/faults/faulty_motion.h"
 #include "sim/sight.h"
 #include "sim/stance/standing.h"
 
@@ -29,6 +30,8 @@ Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Sce
       preset_run_(robot_),
       payload_(robot_),
       link_(scenario.link, config.exercise.link, dt_s_),
+      faults_(scenario, robot_),
+      battery_(robot_),
       alarm_rules_(config.exercise.tilt),
       explosion_(config.exercise.explosion),
       menu_(scenario, config.catalogue),
@@ -69,6 +72,8 @@ const StepResult& Simulator::Step(TimePoint now, const OperatorCommand& command)
   result_.time = now;
   ObeyInstructor();
   ObeyMenu(command);
+  AdvanceFaults();
+  const ActiveFaults& faults = faults_.active();
   const Wish wish = Hear(command, now);
   const MotionDemand wanted = Want(wish);
   const Inhibition inhibition = Inhibit(wanted);
@@ -83,7 +88,8 @@ const StepResult& Simulator::Step(TimePoint now, const OperatorCommand& command)
   // A robot that stands still stands where it stood, to the last bit.
   if (Move(wanted, inhibition, verdict) || !before.at_rest) StandOnGround(before);
   Dispose(command);
-  link_.Advance(place_->world, result_.state, false, false);
+  link_.Advance(place_->world, result_.state, faults.silent, faults.snagged);
+  battery_.Advance(wanted, faults.battery_sag, dt_s_);
   Report(command, wish, inhibition);
   UpdateAlarms(wish.demand.commanded, inhibition);
   UpdateTask(contacts_before, command);
@@ -110,6 +116,16 @@ void Simulator::StandAtStart() {
   }
 }
 
+/// Things break while the mission runs.
+void Simulator::AdvanceFaults() {
+  const TaskStatus& task = place_->task.status();
+  faults_.Advance({.dt_s = dt_s_,
+                   .running = task.state == MissionState::kRun,
+                   .elapsed_s = task.elapsed_s,
+                   .steps_done = task.step,
+                   .holds_charge = place_->disposal.status().held_body >= 0});
+}
+
 /// What the motors do about a wish, its preset included.
 MotionDemand Simulator::Want(const Wish& wish) {
   MotionDemand wanted = wish.demand;
@@ -119,7 +135,7 @@ MotionDemand Simulator::Want(const Wish& wish) {
   // Doubt is no moment to run out gently; and a wreck obeys no one.
   if (!wish.trusted || result_.disposal.robot_destroyed) drives_.HaltAll();
   if (result_.disposal.robot_destroyed) return {};
-  return drives_.Follow(wanted, dt_s_, wish.brakes);
+  return FaultyMotion(robot_, faults_.active(), drives_.Follow(wanted, dt_s_, wish.brakes));
 }
 
 Simulator::Inhibition Simulator::Inhibit(const MotionDemand& wanted) {
@@ -148,7 +164,8 @@ const MotionVerdict& Simulator::JudgeHands(const MotionDemand& wanted) {
                                  .demand = &wanted,
                                  .bodies = place_->bodies.states(),
                                  .movable_of_object = place_->movable_of_object(),
-                                 .payload = payload_.Limit(link_poses_)},
+                                 .payload = payload_.Limit(link_poses_),
+                                 .pads_slip = faults_.active().gripper_slips},
                                 response_);
 }
 

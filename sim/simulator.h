@@ -8,6 +8,8 @@
 #include "platform/time.h"
 #include "sim/alarms/alarm_rules.h"
 #include "sim/alarms/alarm_table.h"
+#include "sim/battery/battery.h"
+#include "sim/faults/fault_injector.h"
 #include "sim/instructor_command.h"
 #include "sim/isectors/isector_set.h"
 #include "sim/motion/drives.h"
@@ -56,6 +58,9 @@ struct StepResult {
   double link_lost_s = 0;                  ///< the same once that is too long, else 0
   bool link_latched = false;               ///< the robot waits for a Reset
   double link_quality = 1;                 ///< 0..1
+  double battery_v = 0;                    ///< [V]
+  double battery_soc = 1;                  ///< 0..1
+  bool field_estop = false;                ///< the emergency stop on the robot is pressed
   double cable_out = 0;                    ///< [m] paid out; 0 without a cable
   std::vector<AlarmChange> alarm_changes;  ///< of this step
   DisposalStatus disposal;
@@ -91,9 +96,13 @@ class Simulator {
   const Task& task() const { return place_->task; }
   /// The exercise that is loaded; without a name it is free driving.
   const Scenario& scenario() const { return *scenario_; }
+  /// How many have been loaded so far; changes when another one is.
+  int exercises() const { return exercises_; }
   const ModuleModel& module() const { return place_->module(); }
   const World& world() const { return place_->world; }
   const ControlLink& link() const { return link_; }
+  /// What is broken now; who asks must not tell the trainee.
+  const FaultInjector& faults() const { return faults_; }
   /// The movables of the module, in its order.
   std::span<const BodyState> bodies() const { return place_->bodies.states(); }
   /// Flash, fire and smoke.
@@ -120,6 +129,7 @@ class Simulator {
     MotionSet all() const { return limit | tilt | payload | cable; }
   };
 
+  void AdvanceFaults();
   MotionDemand Want(const Wish& wish);
   Inhibition Inhibit(const MotionDemand& wanted);
   void Cast(MotionSet wanted);
@@ -146,6 +156,8 @@ class Simulator {
   PresetRun preset_run_;
   Payload payload_;
   ControlLink link_;
+  FaultInjector faults_;
+  Battery battery_;
   AlarmTable alarms_;
   AlarmRules alarm_rules_;
   Response response_;
@@ -159,6 +171,7 @@ class Simulator {
   const Scenario* scenario_ = nullptr;         ///< of menu_
   std::vector<InstructorCommand> instructed_;  ///< and not obeyed yet
   CastMemory sight_;
+  int exercises_ = 0;
   int last_menu_command_ = kMenuNone;
   int64_t box_lost_steps_ = 0;  ///< for which the bridge has missed the box
   bool start_asked_ = false;    ///< of the mission, in this step

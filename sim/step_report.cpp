@@ -30,6 +30,9 @@ void Simulator::Report(const OperatorCommand& command, const Wish& wish,
   result_.link_quality = link_.quality();
   result_.cable_out =
       scenario_->link.kind == ControlLinkSpec::Kind::kCable ? link_.cable().paid_out() : 0;
+  result_.battery_v = battery_.voltage();
+  result_.battery_soc = battery_.charge();
+  result_.field_estop = faults_.active().field_estop;
   const bool wrecked = result_.disposal.robot_destroyed;
   if (wrecked) result_.inhibited = kAllMotions;
   result_.inhibit_reason = wrecked                      ? kReasonNotReady
@@ -58,6 +61,7 @@ void Simulator::UpdateAlarms(MotionSet wished, const Inhibition& inhibition) {
   inputs.charge_disturbed = disposal.disturbed;
   inputs.charge_unstable = disposal.unstable;
   inputs.detonated = disposal.detonation != DetonationCause::kNone;
+  inputs.battery_low = battery_.is_low();
   inputs.rolls_over = result_.state.rolls_over;
   result_.alarm_changes.clear();
   alarm_rules_.Update(inputs, alarms_, result_.alarm_changes);

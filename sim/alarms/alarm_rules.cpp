@@ -55,6 +55,7 @@ void AlarmRules::Update(const AlarmInputs& inputs, AlarmTable& table,
   const bool touched = inputs.charge_touched || inputs.charge_disturbed;
   table.Set(AlarmCode::kBombTouched, touched, kBomb, changes);
   table.Set(AlarmCode::kBombUnstable, inputs.charge_unstable, kBomb, changes);
+  table.Set(AlarmCode::kBattery, inputs.battery_low, 0, changes);
   table.Set(AlarmCode::kDetonation, inputs.detonated, kBomb, changes);
 }
 

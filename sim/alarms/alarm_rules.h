@@ -21,6 +21,7 @@ struct AlarmInputs {
   bool charge_disturbed = false;  ///< one is tilted beyond the first limit
   bool charge_unstable = false;   ///< beyond the second
   bool detonated = false;
+  bool battery_low = false;
 };
 
 /// When an alarm goes on and off.
@@ -29,7 +30,7 @@ struct AlarmInputs {
 /// than 1 s after the alarm; until it is let go. Joint limit: once a joint is driven against its
 /// limit; until it has left it. Tilt and rollover: beyond the angles of TiltRules; rollover also
 /// while the robot rolls over. Bomb touched: in contact, or disturbed; it goes on as bomb unstable,
-/// and ends as detonation.
+/// and ends as detonation. Battery: while its voltage is low.
 class AlarmRules {
  public:
   explicit AlarmRules(const TiltRules& tilt) : tilt_(tilt) {}

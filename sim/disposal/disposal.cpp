@@ -82,7 +82,7 @@ const MotionVerdict& Disposal::Judge(const BeforeMotion& step, Response& respons
   pressing_.Update(closing && !grasp_.is_held(), lines, step.X_ML, step.bodies, response, touched_);
   if (hand_.has_hands() && !grasp_.is_held()) TryGrasp(step, lines);
   if (grasp_.is_held()) {
-    too_heavy_ = held_mass() > step.payload;
+    too_heavy_ = step.pads_slip || held_mass() > step.payload;
     verdict_.left_hand_stopped = step.state->left_opening <= grasp_.left_opening();
     verdict_.right_hand_stopped = step.state->right_opening <= grasp_.right_opening();
     CheckRim(step, response);

@@ -27,6 +27,7 @@ struct BeforeMotion {
   std::span<const BodyState> bodies;  ///< one a movable of the module, where the segments met them
   std::span<const int> movable_of_object;  ///< by the world's number; -1 or beyond its end: none
   double payload = 0;                      ///< [kg] that the arm bears at this reach
+  bool pads_slip = false;                  ///< they hold nothing for long
 };
 
 /// What a step has come to after the motion and the ground.

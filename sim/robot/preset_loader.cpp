@@ -65,4 +65,21 @@ PayloadSpec ReadPayload(const SdfModel& sdf) {
   return spec;
 }
 
+BatterySpec ReadBattery(const SdfModel& sdf) {
+  const CustomElement* battery = FindElement(sdf.customs, "battery");
+  if (battery == nullptr) return {};
+  battery->AllowAttributes({"full_v", "empty_v", "capacity_ah", "resistance_ohm", "idle_a",
+                            "drive_a", "joint_a", "low_v"});
+  constexpr double kCoulombPerAmpereHour = 3600;
+  const double full = battery->Number("full_v", 1, 1000);
+  return {.full = full,
+          .empty = battery->Number("empty_v", 1, full),
+          .capacity = battery->Number("capacity_ah", 0.1, 10000) * kCoulombPerAmpereHour,
+          .resistance = battery->Number("resistance_ohm", 0, 10),
+          .idle_current = battery->Number("idle_a", 0, 1000),
+          .drive_current = battery->Number("drive_a", 0, 1000),
+          .joint_current = battery->Number("joint_a", 0, 1000),
+          .low = battery->Number("low_v", 0, full)};
+}
+
 }  // namespace eod::sim

@@ -40,7 +40,7 @@ void ReadChassis(const SdfModel& sdf, RobotModel& model) {
     FailAt(model.file, sdf.line, fmt::format("model {} needs <eod:chassis>", sdf.name));
   }
   chassis->AllowAttributes({"creep_mps", "low_mps", "high_mps", "turn_deg_per_s", "accel_mps2",
-                            "turn_accel_deg_per_s2", "step_up_m", "fall_search_m"});
+                            "turn_accel_deg_per_s2", "step_up_m", "fall_search_m", "track_m"});
   model.drive_speed = {chassis->Number("creep_mps", 0.01, 5), chassis->Number("low_mps", 0.01, 5),
                        chassis->Number("high_mps", 0.01, 5)};
   model.turn_rate = chassis->Number("turn_deg_per_s", 1, 360) * std::numbers::pi / 180;
@@ -51,6 +51,7 @@ void ReadChassis(const SdfModel& sdf, RobotModel& model) {
     model.turn_acceleration =
         chassis->Number("turn_accel_deg_per_s2", 0.1, 1e4) * std::numbers::pi / 180;
   }
+  if (chassis->Has("track_m")) model.track = chassis->Number("track_m", 0.05, 5);
   model.step_up_limit = chassis->Number("step_up_m", 0.01, 2);
   model.fall_search = chassis->Number("fall_search_m", 0.1, 100);
 }
@@ -105,7 +106,8 @@ void RequireCameras(const SdfModel& sdf, const RobotModel& model) {
 
 RobotModel LoadRobot(const std::filesystem::path& file) {
   const SdfModel sdf = ReadSdfModel(file);
-  AllowElements(sdf.customs, {"chassis", "payload", "preset", "stance"}, "model " + sdf.name);
+  AllowElements(sdf.customs, {"battery", "chassis", "payload", "preset", "stance"},
+                "model " + sdf.name);
   RobotModel model;
   model.file = file;
   model.name = sdf.name;
@@ -115,6 +117,7 @@ RobotModel LoadRobot(const std::filesystem::path& file) {
   model.joints = ReadJoints(sdf, file, model.links);
   model.presets = ReadPresets(sdf, model.joints);
   model.payload = ReadPayload(sdf);
+  model.battery = ReadBattery(sdf);
   model.stance = ReadStance(sdf, model);
   for (size_t i = 0; i < model.links.size(); ++i) {
     ReadLinkContents(sdf.links[static_cast<size_t>(tree.order[i])], static_cast<int>(i), model);

@@ -103,6 +103,18 @@ struct PayloadSpec {
   double stretched = 0;  ///< [kg] at full stretch
 };
 
+/// What feeds the robot. A capacity of 0: a battery that never runs down.
+struct BatterySpec {
+  double full = 25.6;        ///< [V] of the source, full ...
+  double empty = 25.6;       ///< ... and empty
+  double capacity = 0;       ///< [C]
+  double resistance = 0;     ///< [Ohm]
+  double idle_current = 0;   ///< [A] of computer and radio
+  double drive_current = 0;  ///< [A] of driving, or turning, at full rate
+  double joint_current = 0;  ///< [A] of a joint at full rate
+  double low = 0;            ///< [V] below it the operator is told
+};
+
 /// A point of the robot's underside, which ground can carry.
 struct SupportPoint {
   int link = 0;
@@ -153,11 +165,13 @@ struct RobotModel {
   std::vector<CameraSpec> cameras;
   std::vector<LinkVisual> visuals;
   std::array<double, 3> drive_speed{};  ///< [m/s] creep, low, high
+  double track = 0.6;                   ///< [m] between the middles of the tracks
   double turn_rate = 0;                 ///< [rad/s] at 100 %, any range
   double drive_acceleration = kAtOnce;  ///< [m/s^2]
   double turn_acceleration = kAtOnce;   ///< [rad/s^2]
   std::vector<PresetSpec> presets;
   PayloadSpec payload;
+  BatterySpec battery;
   double step_up_limit = 0.45;  ///< [m] ground is looked for from this far above the wheels ...
   double fall_search = 3.0;     ///< [m] ... to this far below
   StanceSpec stance;

@@ -28,6 +28,9 @@ std::vector<PresetSpec> ReadPresets(const SdfModel& sdf,
 /// `<eod:payload>`.
 PayloadSpec ReadPayload(const SdfModel& sdf);
 
+/// `<eod:battery>`.
+BatterySpec ReadBattery(const SdfModel& sdf);
+
 /// An `<eod:isector>` of link `link`. Lines of TRIPOD and of height isectors reach from
 /// `model.step_up_limit` above to `model.fall_search` below.
 IsectorSpec ReadIsector(const CustomElement& element, int link, const RobotModel& model);

@@ -21,6 +21,13 @@ from robot_parts.undercarriage import chassis, flipper
 HERE = pathlib.Path(__file__).resolve().parent
 
 
+def battery():
+    """Eight cells of lithium iron phosphate; ten hours of waiting, or an hour and a half of driving."""
+    return ['<!-- [E] all of it, as packs of this class have it -->',
+            '<eod:battery full_v="25.6" empty_v="22.4" capacity_ah="40" resistance_ohm="0.03" idle_a="4" '
+            'drive_a="25" joint_a="5" low_v="22.5"/>']
+
+
 def model():
     front = [*wheel_isector("B1", "front_left_wheel", -TRACK_X, "M01", "M06", "M05 M06"),
              *wheel_isector("B2", "front_right_wheel", TRACK_X, "M01", "M06", "M05 M06")]
@@ -31,7 +38,9 @@ def model():
     roll, beam, left, right = gripper()
     pan, tilt = mast_camera()
     lines = ['<eod:chassis creep_mps="0.1" low_mps="0.3" high_mps="0.67" turn_deg_per_s="30" '
-             'accel_mps2="1" turn_accel_deg_per_s2="90" step_up_m="0.45" fall_search_m="3"/>',
+             'accel_mps2="1" turn_accel_deg_per_s2="90" step_up_m="0.45" fall_search_m="3" '
+             f'track_m="{2 * TRACK_X:g}"/>',
+             *battery(),
              '<eod:payload folded_kg="15" stretched_kg="8"/>', *presets()]
     lines += stance()
     lines += chassis().lines()

@@ -58,6 +58,8 @@ void RejectKey(const TomlTable& table, Name key, Name kind) {
 
 }  // namespace
 
+std::string_view NameOf(FaultSpec::Kind kind) { return kKinds[static_cast<size_t>(kind)]; }
+
 FaultSpec ReadFaultSpec(const TomlTable& table) {
   table.RejectUnknownKeys(kFaultKeys);
   std::array<Name, kKinds.size()> names;
@@ -79,6 +81,7 @@ FaultSpec ReadFaultSpec(const TomlTable& table) {
   fault.after_step = static_cast<int>(table.Integer("after_step", 1, 100, 0));
   fault.on_grasp = table.Flag("on_grasp", false);
   fault.duration = table.Number("duration_s", 0, 86400, 0.0);
+  fault.line = table.LineOf("target");
   const int triggers =
       (fault.at ? 1 : 0) + (fault.after_step > 0 ? 1 : 0) + (fault.on_grasp ? 1 : 0);
   if (triggers != 1) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace eod::sim {
 
@@ -29,17 +30,21 @@ struct FaultSpec {
     kLampBroken,    ///< the box's lamp `target` stays dark
   };
   Kind kind = Kind::kCameraDead;
-  std::string
-      target;  ///< camera, J1..J9, "left" or "right", M01..M22, lamp; "" where none is meant
+  /// camera, J1..J9, "left" or "right", M01..M22, lamp; "" where none is meant
+  std::string target = {};
   double amount = 0;
   /// It begins at a moment of the mission [s], or when a step is complete (1: the first), or when a
   /// charge is in the gripper.
-  std::optional<double> at;
+  std::optional<double> at = {};
   int after_step = 0;
   bool on_grasp = false;
   double duration = 0;  ///< [s] 0: until the end
+  unsigned line = 1;    ///< of the file, for what is wrong with it
   bool operator==(const FaultSpec&) const = default;
 };
+
+/// As scenario files call it.
+std::string_view NameOf(FaultSpec::Kind kind);
 
 /// Reads a [[fault]]. Throws "FILE:LINE: …".
 FaultSpec ReadFaultSpec(const TomlTable& table);

@@ -31,8 +31,10 @@ namespace eod::sim {
 ///              <eod:vessel kind="chamber" inner_x_m inner_y_m net_m rim_m/>: a static model that
 ///              a charge is disposed of in; heights above the model's origin
 ///   model      <eod:chassis creep_mps low_mps high_mps turn_deg_per_s accel_mps2
-///              turn_accel_deg_per_s2 step_up_m fall_search_m/>; <eod:payload folded_kg
-///              stretched_kg/>: what the arm can carry; <eod:preset index name J1_deg .. J7_m ..
+///              turn_accel_deg_per_s2 step_up_m fall_search_m track_m/>; <eod:payload folded_kg
+///              stretched_kg/>: what the arm can carry; <eod:battery full_v empty_v
+///              capacity_ah resistance_ohm idle_a drive_a joint_a low_v/>; <eod:preset index name
+///              J1_deg .. J7_m ..
 ///              />: a pose that the box can ask for, joints left out stay where they are;
 ///              <eod:stance friction pitch_limit_deg roll_limit_deg .../> with <eod:support link x
 ///              outline/>: how it stands on any ground; an outline is a closed polygon y z y z ...

@@ -23,6 +23,8 @@ _SIM_STAGES = {
     "sim/scenario": ["sim/geometry", "sim/rules", "sim/segments", "sim/world"],
     "sim/radio": ["sim/geometry", "sim/rules", "sim/segments", "sim/robot", "sim/world", "sim/scenario"],
     "sim/motion": ["sim/geometry", "sim/robot", "sim/world"],
+    "sim/battery": ["sim/geometry", "sim/robot", "sim/motion"],
+    "sim/faults": ["sim/geometry", "sim/rules", "sim/segments", "sim/robot", "sim/world", "sim/scenario", "sim/motion"],
     "sim/isectors": ["sim/geometry", "sim/segments", "sim/robot", "sim/world", "sim/motion"],
     "sim/response": ["sim/geometry", "sim/segments", "sim/robot", "sim/world", "sim/motion", "sim/isectors"],
     "sim/bodies": ["sim/geometry", "sim/segments", "sim/robot", "sim/world"],
