@@ -58,7 +58,7 @@ void RejectKey(const TomlTable& table, Name key, Name kind) {
 
 }  // namespace
 
-std::string_view NameOf(FaultSpec::Kind kind) { return kKinds[static_cast<size_t>(kind)]; }
+std::string_view NameOf(FaultSpec::Kind kind) { return kKinds[static_cast<size_t>(kind)].name; }
 
 FaultSpec ReadFaultSpec(const TomlTable& table) {
   table.RejectUnknownKeys(kFaultKeys);
