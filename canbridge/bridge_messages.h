@@ -43,6 +43,7 @@ struct BoxCommand {
   int light = 0;
   bool infrared = false;
   bool horn = false;
+  bool lamp_test = false;
   bool buzzer_acknowledge = false;
   bool alarm_reset = false;
   int resets = 0;  ///< that were accepted since the start

@@ -174,6 +174,7 @@ void BridgeNode::Publish(TimePoint now, const BoxCommand& command) {
   message.light = static_cast<int8_t>(command.light);
   message.infrared = command.infrared;
   message.horn = command.horn;
+  message.lamp_test = command.lamp_test;
   message.buzzer_acknowledge = command.buzzer_acknowledge;
   message.alarm_reset = command.alarm_reset;
   message.resets = command.resets;

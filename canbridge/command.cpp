@@ -38,6 +38,7 @@ BoxCommand ComposeCommand(const Supervision& supervision, const dbc::PanelState&
     command.menu_command = panel.menu_command;
     command.camera_zoom = panel.camera_zoom;
     command.horn = panel.horn;
+    command.lamp_test = panel.lamp_test;
     command.buzzer_acknowledge = panel.buzzer_acknowledge;
     command.alarm_reset = panel.alarm_reset;
   }

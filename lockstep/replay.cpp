@@ -10,6 +10,7 @@
 
 #include "dbc/box_codec.h"
 #include "platform/candump_log.h"
+#include "sim/mission_report.h"
 #include "sim/state_csv.h"
 
 namespace eod::lockstep {
@@ -148,7 +149,9 @@ void ReplayLog(const ReplayConfig& config, const sim::RobotModel& robot,
   std::optional<CandumpWriter> log(std::in_place, log_file.pending(), "lockstep");
   sim::StateCsv csv(states);
   RunResult result(rig_config.start);
+  sim::MissionReport report(config.report);
   rig.SetStepSink([&](const sim::StepResult& step, const sim::AlarmTable& alarms) {
+    report.Watch(rig.simulator());
     csv.Write(step, alarms);
     result.Take(step);
   });
@@ -160,6 +163,7 @@ void ReplayLog(const ReplayConfig& config, const sim::RobotModel& robot,
     rig.Tick();
     while (const std::optional<CanFrame> sent = bus->Receive()) log->Write(*sent);
   }
+  report.Finish(rig.simulator());
   WriteJson(result_file.pending(), result.Json(rig.simulator(), scenario, bus->counters()));
   states.close();
   log.reset();

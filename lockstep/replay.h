@@ -11,6 +11,7 @@ struct ReplayConfig {
   RigConfig rig;
   std::filesystem::path can_log;  ///< in: what was on the bus; the robot's own frames are left out
   std::filesystem::path out;      ///< folder, made if missing
+  std::filesystem::path report;   ///< folder for the score, see sim::MissionReport; empty: none
   Duration tail = std::chrono::seconds(1);  ///< virtual time after the last frame
 };
 

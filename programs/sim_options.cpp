@@ -120,6 +120,8 @@ void AddSimOptions(CLI::App& app, SimOptions& options) {
   app.add_flag("--list", options.list, "print all scenarios of the folder and exit");
   app.add_option("--rules", options.rules, "tuning of the exercise, TOML file")
       ->capture_default_str();
+  app.add_option("--report", options.report,
+                 "folder for score.json and report.html of a mission, written when it ends");
   AddStepOptions(app, options);
   AddIsectorOptions(app, options);
   AddCameraOptions(app, options);

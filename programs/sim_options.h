@@ -29,6 +29,7 @@ struct SimOptions {
   std::filesystem::path map = EOD_DATA_DIR "/dbc/control_box.map.toml";
   std::filesystem::path can_log;
   std::filesystem::path out;
+  std::filesystem::path report;  ///< folder for score and report of a mission; empty: none
 };
 
 /// Registers all but the station's options. Values go to `options`, which must outlive the parsing.

@@ -11,12 +11,34 @@
 #include "platform/priority.h"
 #include "platform/run_main.h"
 #include "platform/run_node.h"
+#include "sim/mission_report.h"
 #include "sim/picture_node.h"
 #include "sim/placing.h"
 #include "sim/scenario/catalogue.h"
 #include "sim/scenario/variation.h"
 
 namespace eod::sim {
+namespace {
+
+/// A simulator that has the missions it ran reported.
+class ReportedNode {
+ public:
+  ReportedNode(SimNode& node, const std::filesystem::path& folder) : node_(node), report_(folder) {}
+
+  void OnCan() {}
+  void OnTick(TimePoint scheduled) {
+    node_.OnTick(scheduled);
+    report_.Watch(node_.simulator());
+  }
+  Duration tick_period() const { return node_.tick_period(); }
+  void Finish() { report_.Finish(node_.simulator()); }
+
+ private:
+  SimNode& node_;
+  MissionReport report_;
+};
+
+}  // namespace
 
 namespace {
 
@@ -67,7 +89,9 @@ void SimulateLive(const SimOptions& options, const StationOptions& station) {
          .draw_isectors = options.camera.draw_isectors});
   }
   SayReady(station.lcm.url.empty() ? "LCM" : station.lcm.url);
-  RunNode(node, nullptr, *lcm, clock);
+  ReportedNode reported(node, options.report);
+  RunNode(reported, nullptr, *lcm, clock);
+  reported.Finish();
   fmt::print("{} steps, {} overruns, {} pictures\n", node.simulator().last().step, node.overruns(),
              cameras ? cameras->pictures() : 0);
 }
@@ -84,6 +108,7 @@ void SimulateLog(const SimOptions& options) {
   config.rig.sim.simulator.catalogue = Exercises(options, world);
   config.can_log = options.can_log;
   config.out = options.out;
+  config.report = options.report;
   lockstep::ReplayLog(config, robot, world, scenario);
 }
 

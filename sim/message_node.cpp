@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -79,6 +80,9 @@ OperatorCommand ToCommand(const box_command_t& message, TimePoint received) {
                   .fire_right = message.fire_right,
                   .circuit = message.circuit,
                   .nonce_echo = message.nonce_echo};
+  command.system_state = message.system_state;
+  command.lamp_test = message.lamp_test != 0;
+  command.horn = message.horn != 0;
   command.camera_select = message.camera_select;
   command.menu_module = message.menu_module;
   command.menu_exercise = message.menu_exercise;
@@ -93,32 +97,105 @@ InstructorCommand ToCommand(const instructor_command_t& message) {
           .estop = message.estop != 0};
 }
 
+namespace {
+
+/// What the judge hears, in the message's words: ToSample reads the same again.
+void FillJudged(const ScoreSample& sample, robot_state_t& message) {
+  message.step = sample.step;
+  message.module = static_cast<int8_t>(sample.module);
+  Eigen::Map<Eigen::Vector3d>{message.position_m} = sample.position;
+  message.heading_deg = sample.heading_deg;
+  message.pitch_deg = sample.pitch_deg;
+  message.roll_deg = sample.roll_deg;
+  message.speed_mps = sample.speed_mps;
+  message.turn_rate_dps = sample.turn_rate_dps;
+  std::copy(sample.joint.begin(), sample.joint.end(), message.joint);
+  message.limit_flags = static_cast<int16_t>(sample.limit_flags);
+  message.inhibit_mask = static_cast<int32_t>(sample.inhibit_mask);
+  message.contact_parts = static_cast<int32_t>(sample.contact_parts);
+  message.held_object = sample.held_object;
+  message.fire_state = static_cast<int8_t>(sample.fire_state);
+  message.system_state = static_cast<int8_t>(sample.system_state);
+  message.speed_range = static_cast<int8_t>(sample.speed_range);
+  message.camera_select = static_cast<int8_t>(sample.camera_select);
+  message.horn = sample.horn ? 1 : 0;
+  message.arm_key = static_cast<int8_t>(sample.arm_key);
+  message.fire_left = static_cast<int8_t>(sample.fire_left);
+  message.fire_right = static_cast<int8_t>(sample.fire_right);
+  message.checks = static_cast<int32_t>(sample.checks);
+  message.wanted_mask = static_cast<int32_t>(sample.wanted_mask);
+  message.blocked_mask = static_cast<int32_t>(sample.blocked_mask);
+  message.contact_object = sample.contact_object;
+  message.contact_by_held = sample.contact_by_held ? 1 : 0;
+  message.ahead_m = sample.ahead_m;
+  message.ahead_object = sample.ahead_object;
+  message.charge = sample.charge;
+  Eigen::Map<Eigen::Vector3d>{message.charge_m} = sample.charge_position;
+  message.charge_low_m = sample.charge_low_m;
+  Eigen::Map<Eigen::Vector3d>{message.charge_in_hand_m} = sample.charge_in_hand;
+  message.charge_touched = sample.charge_touched ? 1 : 0;
+  message.bomb_state = static_cast<int8_t>(sample.bomb_state);
+  message.num_movables = static_cast<int16_t>(sample.moved_m.size());
+  message.moved_m.assign(sample.moved_m.begin(), sample.moved_m.end());
+  message.mission_state = static_cast<int8_t>(sample.mission_state);
+  message.mission_step = static_cast<int8_t>(sample.mission_step);
+  message.fail_reason = static_cast<int8_t>(sample.fail_reason);
+  message.mission_s = sample.mission_s;
+}
+
+}  // namespace
+
+ScoreSample ToSample(const robot_state_t& message) {
+  ScoreSample sample;
+  sample.step = message.step;
+  sample.module = message.module;
+  sample.position = Eigen::Map<const Eigen::Vector3d>{message.position_m};
+  sample.heading_deg = message.heading_deg;
+  sample.pitch_deg = message.pitch_deg;
+  sample.roll_deg = message.roll_deg;
+  sample.speed_mps = message.speed_mps;
+  sample.turn_rate_dps = message.turn_rate_dps;
+  std::copy(std::begin(message.joint), std::end(message.joint), sample.joint.begin());
+  sample.limit_flags = static_cast<uint16_t>(message.limit_flags);
+  sample.inhibit_mask = static_cast<uint32_t>(message.inhibit_mask);
+  sample.contact_parts = static_cast<uint32_t>(message.contact_parts);
+  sample.held_object = message.held_object;
+  sample.fire_state = message.fire_state;
+  sample.system_state = message.system_state;
+  sample.speed_range = message.speed_range;
+  sample.camera_select = message.camera_select;
+  sample.horn = message.horn != 0;
+  sample.arm_key = message.arm_key;
+  sample.fire_left = message.fire_left;
+  sample.fire_right = message.fire_right;
+  sample.checks = static_cast<uint32_t>(message.checks);
+  sample.wanted_mask = static_cast<uint32_t>(message.wanted_mask);
+  sample.blocked_mask = static_cast<uint32_t>(message.blocked_mask);
+  sample.contact_object = message.contact_object;
+  sample.contact_by_held = message.contact_by_held != 0;
+  sample.ahead_m = message.ahead_m;
+  sample.ahead_object = message.ahead_object;
+  sample.charge = message.charge;
+  sample.charge_position = Eigen::Map<const Eigen::Vector3d>{message.charge_m};
+  sample.charge_low_m = message.charge_low_m;
+  sample.charge_in_hand = Eigen::Map<const Eigen::Vector3d>{message.charge_in_hand_m};
+  sample.charge_touched = message.charge_touched != 0;
+  sample.bomb_state = message.bomb_state;
+  sample.moved_m = message.moved_m;
+  sample.mission_state = message.mission_state;
+  sample.mission_step = message.mission_step;
+  sample.fail_reason = message.fail_reason;
+  sample.mission_s = message.mission_s;
+  return sample;
+}
+
 void Fill(const Simulator& simulator, robot_state_t& message) {
   const StepResult& result = simulator.last();
-  const RobotState& state = result.state;
   message.utime = ToUtime(result.time);
-  message.step = result.step;
-  message.module = static_cast<int8_t>(result.module);
-  PutPoint(simulator.module(), state.position, message.position_m);
-  message.heading_deg = ToDegrees(state.attitude.heading);
-  message.pitch_deg = ToDegrees(state.attitude.pitch);
-  message.roll_deg = ToDegrees(state.attitude.roll);
-  message.speed_mps = result.speed;
-  message.turn_rate_dps = ToDegrees(result.turn_rate);
-  for (int j = 0; j < kJointCount; ++j) {
-    message.joint[j] = j == kGripperOpening ? state.joint[j] : ToDegrees(state.joint[j]);
-  }
-  message.limit_flags = static_cast<int16_t>(result.limit_flags);
-  message.inhibit_mask = static_cast<int32_t>(result.inhibited);
+  FillJudged(simulator.score_sample(), message);
   message.inhibit_reason = static_cast<int8_t>(result.inhibit_reason);
-  message.contact_parts = static_cast<int32_t>(result.contact_parts);
   const DisposalStatus& disposal = result.disposal;
   message.grasp_state = static_cast<int8_t>(disposal.grasp);
-  message.held_object =
-      disposal.held_body < 0
-          ? ""
-          : simulator.module().movables[static_cast<size_t>(disposal.held_body)].name;
-  message.fire_state = static_cast<int8_t>(disposal.fire);
   message.fire_nonce = static_cast<int16_t>(disposal.fire_nonce);
   message.circuit_continuity = static_cast<int8_t>(disposal.circuit_continuity);
   message.battery_v = result.battery_v;

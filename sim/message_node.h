@@ -12,6 +12,10 @@
 
 namespace eod::sim {
 
+/// What a message tells a judge: the sample that the simulator made it of, to the last bit. It
+/// points into the message.
+ScoreSample ToSample(const robot_state_t& message);
+
 /// The command in a message that was received at `received`.
 OperatorCommand ToCommand(const box_command_t& message, TimePoint received);
 

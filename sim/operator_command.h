@@ -45,6 +45,9 @@ struct OperatorCommand {
   int speed_range = 1;                             ///< 0 creep, 1 low, 2 high
   int preset = 0;                                  ///< 0 none, 1 stow .. 7 stair down
   FirePanel fire;
+  int system_state = 0;    ///< box_command_t STATE_*
+  bool lamp_test = false;  ///< the operator looks whether all lamps light
+  bool horn = false;
   int camera_select = 1;  ///< 0 quad, 1 drive, 2 gripper, 3 mast, 4 rear
   int menu_module = 0;    ///< 0 none, 1 flat .. 5 indoor
   int menu_exercise = 0;  ///< 1..15 which of the module, 0 the one that is loaded

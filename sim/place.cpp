@@ -16,7 +16,8 @@ Place::Place(RobotModel& robot, int probe, const WorldModel& all, const ModuleMo
       stance(robot, config.rules.module_masks ? model.class_bit : kAnyModule),
       bodies(model, robot),
       disposal(robot, probe, model, config.exercise, config.grasp),
-      task({}, model, config.exercise.score),
+      task({}, model),
+      score({}, model, config.exercise),
       module_(model),
       robot_(robot),
       probe_(probe),
@@ -41,7 +42,8 @@ void Place::Load(const Scenario& scenario) {
     if (place != scenario.places.end()) X_MO = StartOf(movable, *place);
     bodies.SetStart(static_cast<int>(i), X_MO);
   }
-  task = Task(scenario, module_, rules_.score, rules_.critical);
+  task = Task(scenario, module_, rules_.critical);
+  score = Scorer(scenario, module_, rules_);
   Restart();
 }
 
@@ -67,6 +69,7 @@ void Place::Restart() {
   task.Reset();
   stance.Reset();
   FollowBodies();
+  starts_ = poses_;
 }
 
 void Place::MoveBodies(double dt_s, std::span<const Eigen::Isometry3d> X_ML) {

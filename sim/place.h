@@ -6,6 +6,7 @@
 #include "sim/disposal/disposal.h"
 #include "sim/isectors/isector_set.h"
 #include "sim/placing.h"
+#include "sim/score/scorer.h"
 #include "sim/stance/stance.h"
 #include "sim/task/task.h"
 #include "sim/world/built_world.h"
@@ -38,6 +39,8 @@ class Place {
   const ModuleModel& module() const { return module_; }
   /// X_MO of the movables, after the last MoveBodies.
   std::span<const Eigen::Isometry3d> poses() const { return poses_; }
+  /// The same when the exercise began.
+  std::span<const Eigen::Isometry3d> starts() const { return starts_; }
   std::span<const int> movable_of_object() const { return movable_of_object_; }
 
   BuiltWorld world;
@@ -47,6 +50,7 @@ class Place {
   RigidBodies bodies;
   Disposal disposal;
   Task task;
+  Scorer score;  ///< of the last mission, until the next one starts
 
  private:
   void ObeyOrders();
@@ -61,7 +65,8 @@ class Place {
   CastMemory memory_;
   std::vector<int> movable_of_object_;
   std::vector<Eigen::Isometry3d> poses_;  ///< where the world has each movable ...
-  std::vector<char> hidden_;              ///< ... unless it meets nothing
+  std::vector<Eigen::Isometry3d> starts_;
+  std::vector<char> hidden_;  ///< ... unless it meets nothing
 };
 
 }  // namespace eod::sim

@@ -35,7 +35,8 @@ Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Sce
       alarm_rules_(config.exercise.tilt),
       explosion_(config.exercise.explosion),
       menu_(scenario, config.catalogue),
-      start_asked_(config.start_mission) {
+      start_asked_(config.start_mission),
+      hand_(robot_) {
   using std::chrono::milliseconds;
   if (config.period < milliseconds(1) || config.period > milliseconds(20)) {
     throw std::runtime_error(
@@ -50,6 +51,10 @@ Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Sce
     if (PlaceOf(one.module) != nullptr) CheckFits(one, world);
   }
   result_.alarm_changes.reserve(16);
+  size_t movables = 0;
+  for (const ModuleModel& module : world.modules)
+    movables = std::max(movables, module.movables.size());
+  moved_.reserve(movables);
   // Every list grows to its full length now, so that no step has to allocate.
   for (const auto& place : places_) {
     place_ = place.get();
@@ -93,6 +98,7 @@ const StepResult& Simulator::Step(TimePoint now, const OperatorCommand& command)
   Report(command, wish, inhibition);
   UpdateAlarms(wish.demand.commanded, inhibition);
   UpdateTask(contacts_before, command);
+  Judge(command, wish.demand.commanded);
   return result_;
 }
 

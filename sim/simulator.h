@@ -9,6 +9,7 @@
 #include "sim/alarms/alarm_rules.h"
 #include "sim/alarms/alarm_table.h"
 #include "sim/battery/battery.h"
+#include "sim/disposal/hand.h"
 #include "sim/faults/fault_injector.h"
 #include "sim/instructor_command.h"
 #include "sim/isectors/isector_set.h"
@@ -94,6 +95,10 @@ class Simulator {
   const StepResult& last() const { return result_; }
   const AlarmTable& alarms() const { return alarms_; }
   const Task& task() const { return place_->task; }
+  /// Of the mission in this module that runs or ran last.
+  const Scorer& scorer() const { return place_->score; }
+  /// What the last step told the scorer; valid until the next one.
+  const ScoreSample& score_sample() const { return sample_; }
   /// The exercise that is loaded; without a name it is free driving.
   const Scenario& scenario() const { return *scenario_; }
   /// How many have been loaded so far; changes when another one is.
@@ -144,6 +149,10 @@ class Simulator {
   void UpdateTask(uint32_t contacts_before, const OperatorCommand& command);
   bool SeesObject(int camera_select);
   double LinkLost(const OperatorCommand& command);
+  void NoteChecks(const OperatorCommand& command);
+  void TellOfRobot();
+  void TellOfCharge();
+  void Judge(const OperatorCommand& command, MotionSet wished);
   void Report(const OperatorCommand& command, const Wish& wish, const Inhibition& inhibition);
 
   RobotModel robot_;  ///< with the lines of what the hand holds
@@ -179,6 +188,11 @@ class Simulator {
   bool instructor_ends_ = false;
   bool estopped_ = false;  ///< by the instructor
   bool paused_ = false;
+  HandLayout hand_;
+  uint32_t checks_ = 0;  ///< BoxCheck, since the last mission ended
+  bool estop_latched_ = false;
+  ScoreSample sample_;
+  std::vector<double> moved_;  ///< [m] one a movable
 };
 
 }  // namespace eod::sim

@@ -115,6 +115,7 @@ void Simulator::UpdateTask(uint32_t contacts_before, const OperatorCommand& comm
   inputs.turn_rate = result_.turn_rate;
   inputs.started = std::exchange(start_asked_, false);
   inputs.ended = std::exchange(end_asked_, false);
+  sample_.contact_by_held = false;
   inputs.new_contact = (response_.contact_parts & ~contacts_before) != 0;
   inputs.in_contact = response_.contact_parts != 0;
   inputs.link_lost_s = result_.link_lost_s;
@@ -122,7 +123,7 @@ void Simulator::UpdateTask(uint32_t contacts_before, const OperatorCommand& comm
   if (first >= 0) {
     const CastSegment& cast = place_->isectors.segments()[first];
     inputs.contact_object = place_->world.ObjectName(cast.hit.object);
-    inputs.contact_by_held = cast.isector == probe_;
+    sample_.contact_by_held = cast.isector == probe_;
   } else if (inputs.in_contact && result_.disposal.bomb_body >= 0) {
     // No line of the robot, so a pad on the charge.
     const auto charge = static_cast<size_t>(result_.disposal.bomb_body);
@@ -135,9 +136,13 @@ void Simulator::UpdateTask(uint32_t contacts_before, const OperatorCommand& comm
   inputs.sees_object = SeesObject(command.camera_select);
   inputs.disposal = &result_.disposal;
   inputs.movables = place_->poses();
+  sample_.contact_object = inputs.contact_object;
+  sample_.ahead_m = inputs.forward_clearance;
+  sample_.ahead_object = inputs.forward_object;
   const TaskStatus before = result_.task;
   // A pause stops the exercise's clock too.
   result_.task = paused_ ? place_->task.status() : place_->task.Advance(inputs);
+  result_.task.score = before.score;
   result_.task_changed = !IsSame(before, result_.task);
 }
 

@@ -21,15 +21,6 @@ TiltRules ReadTilt(const TomlTable& table) {
           .rollover = table.Number("rollover_deg", 1, 90) * kDegree};
 }
 
-ScoreRules ReadScore(const TomlTable& table) {
-  constexpr std::array<std::string_view, 3> kKeys = {"collision_points", "touch_points",
-                                                     "touch_memory_s"};
-  table.RejectUnknownKeys(kKeys);
-  return {.collision_points = table.Number("collision_points", 0, 100),
-          .touch_points = table.Number("touch_points", 0, 100),
-          .touch_memory = table.Number("touch_memory_s", 0, 60)};
-}
-
 CriticalRules ReadCritical(const TomlTable& table) {
   constexpr std::array<std::string_view, 2> kKeys = {"link_lost_s", "bomb_below_m"};
   table.RejectUnknownKeys(kKeys);
@@ -61,7 +52,7 @@ Rules LoadRules(const std::filesystem::path& file) {
           .vessel = ReadVessel(table.Table("vessel")),
           .disrupter = ReadDisrupter(table.Table("disrupter")),
           .explosion = ReadExplosion(table.Table("explosion")),
-          .score = ReadScore(table.Table("score")),
+          .score = ReadScoreRules(table.Table("score")),
           .critical = ReadCritical(table.Table("critical")),
           .link = ReadLink(table.Table("link"))};
 }

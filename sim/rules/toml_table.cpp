@@ -110,6 +110,40 @@ std::vector<double> TomlTable::Numbers(std::string_view key, size_t count, doubl
   return numbers;
 }
 
+std::vector<std::string> TomlTable::Texts(std::string_view key) const {
+  std::vector<std::string> texts;
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) return texts;
+  const toml::array* list = node->as_array();
+  const bool is_good =
+      list != nullptr &&
+      std::all_of(list->begin(), list->end(), [](const auto& one) { return one.is_string(); });
+  if (!is_good) Fail(LineOf(key), fmt::format("'{}' has to be a list of texts", key));
+  for (const toml::node& one : *list) texts.push_back(*one.value<std::string>());
+  return texts;
+}
+
+std::vector<std::array<double, 2>> TomlTable::Points(std::string_view key, double low,
+                                                     double high) const {
+  std::vector<std::array<double, 2>> points;
+  const toml::node* node = table_.get(key);
+  if (node == nullptr) return points;
+  const auto refuse = [&] {
+    Fail(LineOf(key),
+         fmt::format("'{}' has to be a list of points [x, y] within {} .. {}", key, low, high));
+  };
+  const toml::array* list = node->as_array();
+  if (list == nullptr) refuse();
+  for (const toml::node& one : *list) {
+    const toml::array* pair = one.as_array();
+    if (pair == nullptr || pair->size() != 2) refuse();
+    const std::optional<double> x = (*pair)[0].value<double>(), y = (*pair)[1].value<double>();
+    if (!x || !y || *x < low || *x > high || *y < low || *y > high) refuse();
+    points.push_back({*x, *y});
+  }
+  return points;
+}
+
 size_t TomlTable::Choice(std::string_view key, std::span<const std::string_view> names,
                          std::optional<size_t> fallback) const {
   if (!Has(key) && fallback) return *fallback;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -42,6 +43,10 @@ class TomlTable {
   bool Flag(std::string_view key, std::optional<bool> fallback = {}) const;
   /// Numbers in a list, `count` of them, each within low .. high; empty if the key is missing.
   std::vector<double> Numbers(std::string_view key, size_t count, double low, double high) const;
+  /// Texts in a list; none if the key is missing.
+  std::vector<std::string> Texts(std::string_view key) const;
+  /// Points [[x, y], ...] with coordinates within low .. high; none if the key is missing.
+  std::vector<std::array<double, 2>> Points(std::string_view key, double low, double high) const;
   /// Index of the text among `names`; the error names the nearest one.
   size_t Choice(std::string_view key, std::span<const std::string_view> names,
                 std::optional<size_t> fallback = {}) const;

@@ -12,6 +12,8 @@ struct Rubric {
   double time = 10;       ///< full at par, none at twice par
   double economy = 5;     ///< reversals, limits hit, needless motions
   double pass = 70;       ///< points that pass, without a critical failure
+  /// [rad] tilt that costs points; 0: where the alarm is. For slopes that ask for more.
+  double tilt = 0;
   bool operator==(const Rubric&) const = default;
 };
 

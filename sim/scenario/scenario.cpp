@@ -10,9 +10,10 @@
 namespace eod::sim {
 namespace {
 
-constexpr std::array<std::string_view, 16> kScenarioKeys = {
-    "name", "title", "module",  "difficulty", "par_time_s", "time_limit_s", "seed",  "critical",
-    "step", "start", "weather", "link",       "score",      "place",        "fault", "area"};
+constexpr std::array<std::string_view, 18> kScenarioKeys = {
+    "name",  "title",    "module", "difficulty", "par_time_s", "time_limit_s",
+    "seed",  "critical", "step",   "start",      "weather",    "link",
+    "score", "place",    "fault",  "area",       "precision",  "procedure"};
 constexpr std::array<std::string_view, 4> kWeatherKeys = {"light", "lights", "visibility_m",
                                                           "rain_mm_per_h"};
 constexpr std::array<std::string_view, 3> kLights = {"day", "dusk", "night"};  // as the enum
@@ -88,6 +89,12 @@ Scenario LoadScenario(const std::filesystem::path& file) {
   if (table.Has("weather")) ReadWeather(table.Table("weather"), scenario);
   if (table.Has("link")) scenario.link = ReadControlLinkSpec(table.Table("link"));
   if (table.Has("score")) scenario.rubric = ReadRubric(table.Table("score"));
+  for (const TomlTable& measure : table.Tables("precision")) {
+    scenario.precision.push_back(ReadPrecisionSpec(measure));
+  }
+  for (const TomlTable& item : table.Tables("procedure")) {
+    scenario.procedure.push_back(ReadProcedureSpec(item));
+  }
   for (const TomlTable& place : table.Tables("place")) {
     scenario.places.push_back(ReadPlacement(place, true));
   }

@@ -9,6 +9,8 @@
 #include "sim/scenario/fail_reason.h"
 #include "sim/scenario/fault_spec.h"
 #include "sim/scenario/placement.h"
+#include "sim/scenario/precision_spec.h"
+#include "sim/scenario/procedure_spec.h"
 #include "sim/scenario/rubric.h"
 #include "sim/scenario/task_step.h"
 #include "sim/world/weather.h"
@@ -36,6 +38,8 @@ struct Scenario {
   Rubric rubric;
   std::vector<TaskStep> steps;
   std::vector<FaultSpec> faults;
+  std::vector<PrecisionSpec> precision;
+  std::vector<ProcedureSpec> procedure;
   int64_t seed = 0;
   uint64_t repetition = 0;  ///< Not from the file, see Vary.
 };

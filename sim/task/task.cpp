@@ -50,10 +50,8 @@ bool StandsStill(double speed, double turn_rate) {
   return std::abs(speed) < kStillSpeed && std::abs(turn_rate) < kStillSpeed;
 }
 
-Task::Task(const Scenario& scenario, const ModuleModel& module, const ScoreRules& rules,
-           const CriticalRules& critical)
-    : rules_(rules),
-      critical_(scenario, module, critical),
+Task::Task(const Scenario& scenario, const ModuleModel& module, const CriticalRules& critical)
+    : critical_(scenario, module, critical),
       critical_reasons_(scenario.critical),
       time_limit_s_(scenario.time_limit_s) {
   for (const TaskStep& spec : scenario.steps) steps_.push_back(MakeStep(spec, scenario, module));
@@ -97,13 +95,11 @@ const TaskStatus& Task::Advance(const TaskInputs& inputs) {
   // Start itself is moment 0: the first step of the mission has elapsed one later.
   if (!inputs.started) ++elapsed_steps_;
   status_.elapsed_s = static_cast<double>(elapsed_steps_) * inputs.dt_s;
-  if (inputs.new_contact) CountCollision(inputs);
+  if (inputs.new_contact) ++status_.collisions;
   WatchGrasp(inputs);
-  CountTouches(inputs);
   if (status_.step < status_.steps && IsComplete(steps_[status_.step], inputs)) {
     CompleteStep(*inputs.state);
   }
-  status_.score = Score();
   last_position_ = inputs.state->position;
 
   status_.fail_reason = Failure(inputs);
@@ -150,11 +146,8 @@ const std::string& Task::step_text() const {
 void Task::Reset() {
   status_ = {.steps = static_cast<int>(steps_.size())};
   elapsed_steps_ = 0;
-  asked_collisions_ = 0;
   still_steps_ = 0;
   held_ = -1;
-  touched_s_ = -1;
-  held_s_ = 2 * rules_.touch_memory;
 }
 
 void Task::Start(const TaskInputs& inputs) {
@@ -248,49 +241,10 @@ bool Task::HasInspected(const TaskStep& step, const TaskInputs& inputs) {
   return inputs.sees_object && still_steps_ * inputs.dt_s >= step.time;
 }
 
-/// A step may ask for a collision; any other one costs.
-void Task::CountCollision(const TaskInputs& inputs) {
-  ++status_.collisions;
-  if (status_.step >= status_.steps) return;
-  const TaskStep& spec = steps_[status_.step].spec;
-  const bool touches = spec.kind == TaskStep::Kind::kContact || spec.kind == TaskStep::Kind::kGrasp;
-  const bool sets_down = spec.kind == TaskStep::Kind::kPlaceInVessel && inputs.contact_by_held;
-  const bool it = spec.object.empty() || spec.object == inputs.contact_object;
-  if ((touches || sets_down) && it) ++asked_collisions_;
-}
-
-/// Touches that belong to no grasp.
-void Task::CountTouches(const TaskInputs& inputs) {
-  held_s_ = held_ >= 0 ? 0 : held_s_ + inputs.dt_s;
-  const bool touched = inputs.disposal != nullptr && inputs.disposal->touched;
-  if (held_s_ <= rules_.touch_memory) {
-    touched_s_ = -1;
-  } else if (touched) {
-    touched_s_ = 0;
-  } else if (touched_s_ >= 0) {
-    touched_s_ += inputs.dt_s;
-    if (touched_s_ <= rules_.touch_memory) return;
-    touched_s_ = -1;
-    ++status_.bomb_touches;
-  }
-}
-
 void Task::CompleteStep(const RobotState& state) {
   ++status_.step;
   still_steps_ = 0;
   mark_ = state.position;
-}
-
-double Task::Score() const {
-  double all = 0;
-  double done = 0;
-  for (int i = 0; i < status_.steps; ++i) {
-    all += steps_[i].spec.weight;
-    if (i < status_.step) done += steps_[i].spec.weight;
-  }
-  const double penalty = rules_.collision_points * (status_.collisions - asked_collisions_) +
-                         rules_.touch_points * status_.bomb_touches;
-  return all > 0 ? std::max(0.0, 100 * done / all - penalty) : 0;
 }
 
 }  // namespace eod::sim

@@ -12,7 +12,6 @@
 #include "sim/disposal/disposal_status.h"
 #include "sim/robot/robot_state.h"
 #include "sim/rules/critical_rules.h"
-#include "sim/rules/score_rules.h"
 #include "sim/scenario/scenario.h"
 #include "sim/task/critical_watch.h"
 #include "sim/world/world_model.h"
@@ -27,9 +26,8 @@ struct TaskStatus {
   double elapsed_s = 0;  ///< simulated time since the start
   int step = 0;          ///< 0-based; equals `steps` when done
   int steps = 0;
-  double score = 0;  ///< 0..100
+  double score = 0;  ///< 0..100, as the Scorer has it: a Task leaves it at 0
   int collisions = 0;
-  int bomb_touches = 0;  ///< times a charge was touched that was not grasped then
   FailReason fail_reason = FailReason::kNone;
   bool operator==(const TaskStatus&) const = default;
 };
@@ -53,7 +51,6 @@ struct TaskInputs {
   double link_lost_s = 0;  ///< [s] since anything came from the operator, 0 while it comes in time
   bool sees_object = false;         ///< the object of Task::inspected()
   std::string_view contact_object;  ///< object of the first contact, "" if none
-  bool contact_by_held = false;     ///< it was made by what the gripper holds
   /// [m] from the foremost point of a robot that stands to what is ahead; infinity if nothing is,
   /// or it moves
   double forward_clearance = 0;
@@ -71,21 +68,13 @@ struct InspectedObject {
 
 /// Progress through a scenario's steps. Pure; no allocation in Advance.
 ///
-/// The score is the share of the completed steps' weights, 0..100, less
-/// ScoreRules::collision_points for every collision that no step asked for, less touch_points for
-/// every time a charge is touched and not grasped, and never below 0. Touching what is to be
-/// grasped is asked for, and so is setting the held charge down in its vessel. A touch lasts until
-/// the charge has been left alone for touch_memory; a grasp just before or during it makes it part
-/// of the grasp.
-///
 /// The time limit fails the mission, and so does what CriticalWatch finds, and a strict step that
 /// is done before its turn.
 class Task {
  public:
   /// Throws std::runtime_error that names the scenario's file, if a step's object is not in
   /// `module`, or is not what the step needs: a movable to grasp, a vessel to place in.
-  Task(const Scenario& scenario, const ModuleModel& module, const ScoreRules& rules,
-       const CriticalRules& critical = {});
+  Task(const Scenario& scenario, const ModuleModel& module, const CriticalRules& critical = {});
 
   const TaskStatus& Advance(const TaskInputs& inputs);
   const TaskStatus& status() const { return status_; }
@@ -117,24 +106,17 @@ class Task {
   bool IsLifted(const Step& step, const TaskInputs& inputs) const;
   FailReason Failure(const TaskInputs& inputs);
   bool IsOutOfTurn(const TaskInputs& inputs);
-  void CountCollision(const TaskInputs& inputs);
-  void CountTouches(const TaskInputs& inputs);
   void CompleteStep(const RobotState& state);
-  double Score() const;
 
-  ScoreRules rules_;
   CriticalWatch critical_;
   FailReasons critical_reasons_;
   std::vector<Step> steps_;
   double time_limit_s_;
   TaskStatus status_;
   int64_t elapsed_steps_ = 0;
-  int asked_collisions_ = 0;
   int still_steps_ = 0;
-  double touched_s_ = -1;    ///< [s] since a charge was touched last; negative: no touch is open
-  double held_s_ = 0;        ///< [s] since a charge was held last
-  int held_ = -1;            ///< movable in the gripper
-  double grasp_height_ = 0;  ///< [m] z of its frame when it was grasped
+  int held_ = -1;                                   ///< movable in the gripper
+  double grasp_height_ = 0;                         ///< [m] z of its frame when it was grasped
   Eigen::Vector3d mark_ = Eigen::Vector3d::Zero();  ///< where the last step was completed
   Eigen::Vector3d last_position_ = Eigen::Vector3d::Zero();
 };

@@ -34,6 +34,8 @@ _SIM_STAGES = {
     "sim/plume": ["sim/geometry", "sim/rules"],
     "sim/task": ["sim/geometry", "sim/rules", "sim/scenario", "sim/segments", "sim/robot", "sim/world", "sim/motion",
                  "sim/isectors", "sim/response", "sim/disposal"],
+    "sim/score": ["sim/geometry", "sim/rules", "sim/scenario", "sim/segments", "sim/robot", "sim/world", "sim/disposal",
+                  "sim/task"],
     "sim/alarms": ["sim/geometry", "sim/rules", "sim/scenario", "sim/disposal", "sim/segments", "sim/robot", "sim/world", "sim/motion", "sim/isectors",
                    "sim/response", "sim/task"],
     "sim/camera": ["sim/geometry", "sim/robot", "sim/world", "sim/plume", "platform"],
