@@ -56,6 +56,8 @@ class LockStepRig {
   bool RunUntil(const std::function<bool()>& done, Duration limit);
 
   TimePoint now() const { return clock_.Now(); }
+  /// What the parts say to each other; for whoever wants to listen too.
+  lcm::LCM& lcm() { return lcm_; }
   const sim::Simulator& simulator() const { return sim_.simulator(); }
   /// For a StepSink: what the step obeyed.
   const sim::OperatorCommand& command() const { return sim_.command(); }

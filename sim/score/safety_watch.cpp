@@ -81,7 +81,9 @@ bool SafetyWatch::IsAskedFor(const ScoreMoment& moment, std::span<const int> obj
   const TaskStep::Kind kind = kinds_[step];
   const bool touches = kind == TaskStep::Kind::kContact || kind == TaskStep::Kind::kGrasp;
   const bool sets_down = kind == TaskStep::Kind::kPlaceInVessel && moment.now->contact_by_held;
-  return (touches || sets_down) && (objects[step] < 0 || objects[step] == moment.contact);
+  const bool climbs =
+      (kind == TaskStep::Kind::kClimb || kind == TaskStep::Kind::kReach) && objects[step] >= 0;
+  return (touches || sets_down || climbs) && (objects[step] < 0 || objects[step] == moment.contact);
 }
 
 void SafetyWatch::WatchPushing(const ScoreMoment& moment, EventList& events) {

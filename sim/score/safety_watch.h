@@ -21,11 +21,12 @@ struct SafetyCount {
 /// Collisions, pushing on, tilt, touched charges and driving unseen.
 ///
 /// A collision is a part that comes into contact. Steps `contact` and `grasp` ask for those with
-/// their object, `place_in_vessel` for those that the held charge makes with the vessel. Pushing on
-/// counts beyond `push_grace`. A charge that is touched counts unless it is grasped then or was
-/// just let go of. Driving counts as unseen after `unseen_way` without a camera on the way ahead:
-/// quad, drive or mast forward; quad, rear or mast backward. It counts again after the way was
-/// seen, or the direction changed.
+/// their object, `climb` and `reach` for those with an object that they name (stairs are touched),
+/// `place_in_vessel` for those that the held charge makes with the vessel. Pushing on counts beyond
+/// `push_grace`. A charge that is touched counts unless it is grasped then or was just let go of.
+/// Driving counts as unseen after `unseen_way` without a camera on the way ahead: quad, drive or
+/// mast forward; quad, rear or mast backward. It counts again after the way was seen, or the
+/// direction changed.
 class SafetyWatch {
  public:
   SafetyWatch(const Scenario& scenario, const Rules& rules);

@@ -27,7 +27,7 @@ table{width:100%;border-collapse:collapse;font-size:14px}
 td,th{padding:3px 8px;text-align:left;vertical-align:top;border-bottom:1px solid var(--line)}
 th{color:var(--soft);font-weight:600;font-size:12.5px}
 .n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
-.part table{margin-left:12px;width:calc(100% - 12px)}.part tr:last-child td{border:0}
+.part table{margin-left:12px;width:calc(100% - 12px);table-layout:fixed}.part td:nth-child(2){width:130px}.part td:nth-child(3){width:120px}.part tr:last-child td{border:0}
 .zero td{color:var(--soft)}.good{color:var(--good)}.bad{color:var(--bad)}.open{color:var(--mid)}
 .warn{background:#fff4e0;border-left:4px solid var(--mid);padding:8px 14px;margin:14px 0 0}
 svg{width:100%;height:auto;background:#f8fafc;border:1px solid var(--line);border-radius:6px}
@@ -78,7 +78,9 @@ std::string Verdict(const ScoreSheet& sheet) {
 std::string Amount(const ScoreItem& item) {
   if (item.name == "step") return item.is_taken ? "done" : "\u2013";
   if (!item.is_taken) return "not measured";
-  return fmt::format("{:.4g}{}{}", item.amount, item.unit.empty() ? "" : " ", item.unit);
+  if (item.unit == "m") return fmt::format("{:.3f} m", item.amount);
+  if (!item.unit.empty()) return fmt::format("{:.1f} {}", item.amount, item.unit);
+  return fmt::format("{:.4g}", item.amount);
 }
 
 std::string Part(const ScorePart& part) {

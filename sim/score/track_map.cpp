@@ -10,7 +10,7 @@
 namespace eod::sim {
 namespace {
 
-constexpr double kWidth = 760, kMaxHeight = 620;  // [px]
+constexpr double kWidth = 760, kMaxHeight = 480;  // [px]
 constexpr double kEdge = 1.0;                     // [m] around everything
 
 /// Local metres to pixels: x to the right, y up.

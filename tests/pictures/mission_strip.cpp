@@ -8,6 +8,7 @@
 
 #include "recorder/image_codec.h"
 #include "recorder/typeface.h"
+#include "sim/score/report.h"
 #include "tests/scenario/mission.h"
 #include "tests/unit/camera/offline_camera.h"
 
@@ -30,6 +31,7 @@ struct Options {
   std::string output = "strip.png";
   std::vector<std::string> moments;
   std::string states;  // file for the states of every step; none if empty
+  std::string report;  // folder for the score; none if empty
   int columns = 3;
 };
 
@@ -93,6 +95,9 @@ void Run(const Options& options) {
       .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
   mission.Run(std::chrono::minutes(30));
   if (!options.states.empty()) std::ofstream(options.states) << mission.states();
+  if (!options.report.empty()) {
+    sim::WriteReport(mission.rig().simulator().scorer().Sheet(), options.report);
+  }
   if (mission.box().script_failure()) fmt::print("{}\n", *mission.box().script_failure());
   fmt::print("{}: {} pictures, {} bytes\n", options.output, count, png.size());
 }
@@ -108,6 +113,7 @@ int main(int argc, char** argv) {
   app.add_option("--at", options.moments, "SECONDS:CAMERA:CAPTION, in the order of time")
       ->required();
   app.add_option("--states", options.states, "write every state of the run there, as CSV");
+  app.add_option("--report", options.report, "write the score of the run into this folder");
   app.add_option("--columns", options.columns)->check(CLI::Range(1, 8));
   app.add_option("--output", options.output);
   CLI11_PARSE(app, argc, argv);

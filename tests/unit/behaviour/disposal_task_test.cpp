@@ -118,57 +118,6 @@ TEST(DisposalTask, RetreatIsMeasuredOnTheMapFromWhereTheThingIsNow) {
   EXPECT_EQ(from_can.Step().state, MissionState::kSuccess);
 }
 
-TEST(DisposalTask, TouchingWhatIsToBeGraspedCostsNothing) {
-  Disposal dut({StepOf(TaskStep::Kind::kGrasp, "small"), StepOf(TaskStep::Kind::kLift, "", 0.2)});
-  dut.inputs.new_contact = true;
-  dut.inputs.contact_object = "small";
-  dut.StepWith(kSmall, 0.12);
-  EXPECT_DOUBLE_EQ(dut.task.status().score, 50);
-  dut.StepWith(kSmall, 0.12);  // the same during the next step does cost
-  EXPECT_DOUBLE_EQ(dut.task.status().score, 48);
-}
-
-TEST(DisposalTask, SettingTheHeldChargeDownInItsVesselCostsNothing) {
-  for (const bool by_held : {true, false}) {
-    Disposal dut(
-        {StepOf(TaskStep::Kind::kGrasp, "small"), StepOf(TaskStep::Kind::kPlaceInVessel, "can")});
-    dut.StepWith(kSmall, 0.12);
-    dut.inputs.new_contact = true;
-    dut.inputs.contact_object = "can";
-    dut.inputs.contact_by_held = by_held;
-    dut.StepWith(kSmall, 0.12);
-    EXPECT_DOUBLE_EQ(dut.task.status().score, by_held ? 50 : 48);
-  }
-}
-
-/// A charge in contact for half a second, and then left alone for a little more than a second.
-void Touch(Disposal& dut, int held_then) {
-  dut.disposal.touched = true;
-  for (int step = 0; step < 5; ++step) dut.StepWith(-1, 0);
-  dut.disposal.touched = false;
-  for (int step = 0; step < 12; ++step) dut.StepWith(held_then, 0.12);
-}
-
-TEST(DisposalTask, TouchingAChargeWithoutGraspingItCostsTenPointsATime) {
-  Disposal dut({StepOf(TaskStep::Kind::kGrasp, "large"), StepOf(TaskStep::Kind::kLift, "", 0.2)});
-  dut.StepWith(kLarge, 0.12);
-  for (int step = 0; step < 12; ++step) dut.StepWith(-1, 0);
-  EXPECT_DOUBLE_EQ(dut.task.status().score, 50);
-  Touch(dut, -1);
-  EXPECT_DOUBLE_EQ(dut.task.status().score, 40);
-  Touch(dut, -1);
-  EXPECT_DOUBLE_EQ(dut.task.status().score, 30);
-  EXPECT_EQ(dut.task.status().bomb_touches, 2);
-}
-
-TEST(DisposalTask, TouchesBeforeAndBehindAGraspBelongToIt) {
-  Disposal dut({StepOf(TaskStep::Kind::kGrasp, "small"), StepOf(TaskStep::Kind::kLift, "", 0.2)});
-  Touch(dut, kSmall);
-  EXPECT_DOUBLE_EQ(dut.task.status().score, 50);
-  Touch(dut, -1);  // it slides out of the hands that open
-  EXPECT_EQ(dut.task.status().bomb_touches, 0);
-}
-
 TEST(DisposalTask, DetonationFailsEvenTheLastStep) {
   Disposal dut({StepOf(TaskStep::Kind::kGrasp, "small")});
   dut.disposal.detonation = DetonationCause::kSqueezed;
@@ -194,7 +143,7 @@ TEST(DisposalTask, ObjectOfTheWrongSortIsRefused) {
     Scenario scenario = Mission::Make({StepOf(kind, object)}, 0);
     scenario.file = "x.toml";
     try {
-      Task dut(scenario, BombYard(), kScoreRules);
+      Task dut(scenario, BombYard());
     } catch (const std::runtime_error& error) {
       return error.what();
     }

@@ -23,9 +23,6 @@ inline ModuleModel Flat() {
   return module;
 }
 
-inline constexpr ScoreRules kScoreRules{
-    .collision_points = 2, .touch_points = 10, .touch_memory = 1.0};
-
 /// A mission under way, fed by hand.
 struct Mission {
   RobotState state;
@@ -34,7 +31,7 @@ struct Mission {
 
   explicit Mission(std::vector<TaskStep> steps, double time_limit_s = 0,
                    const ModuleModel& module = Flat())
-      : task(Make(std::move(steps), time_limit_s), module, kScoreRules) {
+      : task(Make(std::move(steps), time_limit_s), module) {
     inputs.dt_s = 0.1;
     inputs.state = &state;
     inputs.forward_clearance = std::numeric_limits<double>::infinity();

@@ -8,7 +8,7 @@ namespace eod::sim {
 namespace {
 
 TEST(Task, WaitsIdleUntilItIsStarted) {
-  Task dut(Mission::Make({StepOf(TaskStep::Kind::kContact, "wall")}, 0), Flat(), kScoreRules);
+  Task dut(Mission::Make({StepOf(TaskStep::Kind::kContact, "wall")}, 0), Flat());
   RobotState state;
   TaskInputs inputs;
   inputs.state = &state;
@@ -18,7 +18,7 @@ TEST(Task, WaitsIdleUntilItIsStarted) {
   EXPECT_EQ(dut.step_text(), "");
 }
 
-TEST(Task, ContactWithTheWrongObjectDoesNotCountAndCostsTwoPoints) {
+TEST(Task, ContactWithTheWrongObjectIsACollisionAndNoStep) {
   Mission dut({StepOf(TaskStep::Kind::kContact, "wall"), StepOf(TaskStep::Kind::kContact, "wall")});
   dut.inputs.in_contact = dut.inputs.new_contact = true;
   dut.inputs.contact_object = "board";
@@ -27,7 +27,6 @@ TEST(Task, ContactWithTheWrongObjectDoesNotCountAndCostsTwoPoints) {
   const TaskStatus status = dut.Step();
   EXPECT_EQ(status.step, 1);
   EXPECT_EQ(status.collisions, 2);
-  EXPECT_DOUBLE_EQ(status.score, 50 - 2);
 }
 
 TEST(Task, ClearMeasuresFromWhereTheContactWas) {
@@ -79,14 +78,6 @@ TEST(Task, StopBesideTheMarkOrBeforeAnotherThingDoesNotCount) {
   }
 }
 
-TEST(Task, ScoreNeverFallsBelowZero) {
-  TaskStep far_away = StepOf(TaskStep::Kind::kReach, "");
-  far_away.x = 9;
-  Mission dut({far_away});
-  dut.inputs.new_contact = true;
-  EXPECT_EQ(dut.Step().score, 0);
-}
-
 TEST(Task, TimeLimitFailsTheMission) {
   Mission dut({StepOf(TaskStep::Kind::kContact, "wall")}, 1.0);
   for (int i = 0; i < 9; ++i) EXPECT_EQ(dut.Step().state, MissionState::kRun);
@@ -109,7 +100,7 @@ TEST(Task, UnknownObjectIsRefused) {
   Scenario scenario = Mission::Make({StepOf(TaskStep::Kind::kContact, "wal")}, 0);
   scenario.file = "x.toml";
   try {
-    Task dut(scenario, Flat(), kScoreRules);
+    Task dut(scenario, Flat());
     FAIL();
   } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(), "x.toml: object 'wal' is not in module 1 (flat)");
