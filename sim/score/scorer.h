@@ -65,6 +65,7 @@ class Scorer {
   ScorePart TimePart() const;
   ScorePart EconomyPart() const;
   std::vector<SheetProcedure> ProcedureLines() const;
+  std::string TextOfEvent(const ScoreEvent& event) const;
   SheetEvent Describe(const ScoreEvent& event) const;
 
   Scenario scenario_;

@@ -1,29 +1,16 @@
 // The score sheet in words.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
 
 #include "sim/score/scorer.h"
+#include "sim/score/sheet_words.h"
 #include "sim/task/task.h"
 
 namespace eod::sim {
 namespace {
-
-constexpr std::array<std::string_view, 10> kFailures = {
-    "none",      "exploded", "time_out",   "rollover",  "out_of_area",
-    "link_lost", "estop",    "instructor", "bomb_lost", "wrong_order"};  // as ROB_MISSION
-constexpr std::array<std::string_view, 9> kJoints = {
-    "Front flippers", "Rear flippers", "Big arm",    "Small arm",  "Wrist",
-    "Gripper",        "Hands",         "Mast (pan)", "Mast (tilt)"};
-
-template <typename Names>
-std::string Named(const Names& names, int index, std::string_view otherwise) {
-  const auto i = static_cast<size_t>(index);
-  return std::string(index >= 0 && i < names.size() ? std::string_view(names[i]) : otherwise);
-}
 
 std::string ResultText(int state, bool has_started) {
   switch (static_cast<MissionState>(state)) {
@@ -38,22 +25,6 @@ std::string ResultText(int state, bool has_started) {
   }
 }
 
-/// A measure in the unit of its kind.
-double InUnit(const PrecisionSpec& spec, double value) {
-  return UnitOf(spec.kind) == "deg" ? value * (180 / std::numbers::pi) : value;
-}
-
-std::string TextOf(const PrecisionSpec& spec) {
-  if (!spec.text.empty()) return spec.text;
-  std::string text(NameOf(spec.kind));
-  for (char& c : text) c = c == '_' ? ' ' : c;
-  return text;
-}
-
-std::string TextOf(const ProcedureSpec& spec) {
-  return spec.text.empty() ? std::string(TextOf(spec.kind)) : spec.text;
-}
-
 ScoreItem Lost(std::string name, std::string text, double amount, std::string unit,
                double points_each) {
   return {.name = std::move(name),
@@ -62,21 +33,6 @@ ScoreItem Lost(std::string name, std::string text, double amount, std::string un
           .unit = std::move(unit),
           .points = amount == 0 ? 0 : -points_each * amount};
 }
-
-/// Name of the item that an event belongs to, and of its part.
-struct MarkName {
-  std::string_view part;
-  std::string_view name;
-};
-constexpr std::array kMarks = {  // as ScoreMark
-    MarkName{"steps", "step"},         MarkName{"safety", "collision"},
-    MarkName{"safety", "pushing"},     MarkName{"safety", "tilt"},
-    MarkName{"safety", "bomb_touch"},  MarkName{"safety", "fire_rule"},
-    MarkName{"safety", "fire_rule"},   MarkName{"safety", "fire_rule"},
-    MarkName{"safety", "fire_rule"},   MarkName{"safety", "unseen_driving"},
-    MarkName{"safety", "procedure"},   MarkName{"economy", "reversal"},
-    MarkName{"economy", "undone"},     MarkName{"economy", "joint_limit"},
-    MarkName{"precision", "measured"}, MarkName{"failure", "critical_failure"}};
 
 }  // namespace
 
@@ -201,75 +157,6 @@ std::vector<SheetProcedure> Scorer::ProcedureLines() const {
                      .points = failed ? -rules_.procedure_points : 0});
   }
   return lines;
-}
-
-SheetEvent Scorer::Describe(const ScoreEvent& event) const {
-  const MarkName& mark = kMarks[static_cast<size_t>(event.mark)];
-  const std::string object = Named(names_, event.object, "something");
-  const auto index = static_cast<size_t>(event.index);
-  std::string text;
-  switch (event.mark) {
-    case ScoreMark::kStep:
-      text = fmt::format("Step {} complete: {}", index + 1, scenario_.steps[index].text);
-      break;
-    case ScoreMark::kCollision:
-      text = fmt::format("Collision with {}", object);
-      break;
-    case ScoreMark::kPushing:
-      text = fmt::format("Pushed on against {} for {:.1f} s more", object, event.amount);
-      break;
-    case ScoreMark::kTilt:
-      text = fmt::format("Tilted to {:.1f} degrees", event.amount);
-      break;
-    case ScoreMark::kTouch:
-      text = "Charge touched, not grasped";
-      break;
-    case ScoreMark::kFireButton:
-      text = "Fire button pressed without a ready circuit";
-      break;
-    case ScoreMark::kOneHand:
-      text = fmt::format("{} fire button held alone", event.index == 0 ? "Left" : "Right");
-      break;
-    case ScoreMark::kArmedDriving:
-      text = "Arm key armed on the move";
-      break;
-    case ScoreMark::kFireTimeOut:
-      text = "Armed until the circuit timed out";
-      break;
-    case ScoreMark::kUnseen:
-      text = fmt::format("Drove {} without a camera on the way",
-                         event.index > 0 ? "forward" : "backward");
-      break;
-    case ScoreMark::kProcedure:
-      text = fmt::format("{}: {}", TextOf(procedure_.spec(index)),
-                         NameOf(static_cast<ProcedureResult>(event.amount)));
-      break;
-    case ScoreMark::kReversal:
-      text = event.index == 0 ? "Drove back at once" : "Turned back at once";
-      break;
-    case ScoreMark::kUndone:
-      text = fmt::format("{}: {:.0f} degrees, taken back at once", Named(kJoints, event.index, ""),
-                         event.amount);
-      break;
-    case ScoreMark::kLimit:
-      text = fmt::format("{}: driven against the limit", Named(kJoints, event.index, ""));
-      break;
-    case ScoreMark::kMeasured: {
-      const PrecisionSpec& spec = precision_.spec(index);
-      text =
-          fmt::format("{}: {:.3g} {}", TextOf(spec), InUnit(spec, event.amount), UnitOf(spec.kind));
-      break;
-    }
-    case ScoreMark::kFailed:
-      text = fmt::format("Mission failed: {}", Named(kFailures, event.index, "unknown"));
-      break;
-  }
-  return {.time_s = event.time_s,
-          .part = std::string(mark.part),
-          .name = std::string(mark.name),
-          .text = std::move(text),
-          .points = event.points,
-          .position = event.position};
 }
 
 ScoreSheet Scorer::Sheet() const {

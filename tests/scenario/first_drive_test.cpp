@@ -39,9 +39,15 @@ TEST(FirstDrive, ReachesTheEndOfTheMissionThroughTheBoxAlone) {
   const sim::StepResult& last = dut.rig().simulator().last();
   EXPECT_EQ(last.task.state, sim::MissionState::kSuccess);
   EXPECT_EQ(last.task.step, last.task.steps);
-  // One collision was asked for (the wall); the score counts only those beyond.
+  // One collision was asked for (the wall). Points are lost for holding forward there beyond the
+  // grace, and for backing off without looking that way; for nothing else.
   EXPECT_EQ(last.task.collisions, 1);
-  EXPECT_DOUBLE_EQ(last.task.score, 100.0);
+  const sim::ScoreRules& rules = ShippedData().rules.score;
+  const sim::ScoreSheet sheet = dut.rig().simulator().scorer().Sheet();
+  const double pushed = sheet.parts[1].items[1].amount;
+  EXPECT_GT(pushed, 0);
+  EXPECT_NEAR(last.task.score, 100 - rules.push_points * pushed - rules.unseen_points, 1e-9);
+  EXPECT_TRUE(sheet.passed);
 }
 
 TEST(FirstDrive, TwoRunsGiveTheSameBits) {

@@ -222,7 +222,7 @@ TEST(Simulator, TheBridgesRefusalIsPassedOn) {
   EXPECT_EQ(op.dut.last().inhibit_reason, 9);
 }
 
-TEST(Simulator, WholeMissionEndsInSuccessWithFullScore) {
+TEST(Simulator, WholeMissionEndsInSuccessAndPasses) {
   Operator op;
   op.Step();
   EXPECT_EQ(op.dut.last().task.state, MissionState::kIdle);
@@ -241,7 +241,10 @@ TEST(Simulator, WholeMissionEndsInSuccessWithFullScore) {
   EXPECT_EQ(op.dut.last().task.step, 3);
   op.Hold({}, 260);
   EXPECT_EQ(op.dut.last().task.state, MissionState::kSuccess);
-  EXPECT_EQ(op.dut.last().task.score, 100);
+  const ScoreSheet sheet = op.dut.scorer().Sheet();
+  EXPECT_TRUE(sheet.passed);
+  EXPECT_EQ(op.dut.last().task.score, sheet.total);
+  EXPECT_EQ(sheet.parts[0].points, sheet.parts[0].of);
   EXPECT_EQ(op.dut.last().task.collisions, 1);
 }
 

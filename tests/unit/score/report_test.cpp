@@ -30,8 +30,9 @@ ScoreSheet Eventful() {
   scenario.precision.resize(1);
   scenario.precision[0].kind = PrecisionSpec::Kind::kTiltPeak;
   scenario.precision[0].worst = 1;
-  scenario.procedure = {{.kind = ProcedureSpec::Kind::kLampTest},
-                        {.kind = ProcedureSpec::Kind::kLowSpeedWhileCarrying}};
+  scenario.procedure.resize(2);
+  scenario.procedure[0].kind = ProcedureSpec::Kind::kLampTest;
+  scenario.procedure[1].kind = ProcedureSpec::Kind::kLowSpeedWhileCarrying;
   Judged run(scenario);
   run.Drive(3);
   run.sample.contact_parts = 1;

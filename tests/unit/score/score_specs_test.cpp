@@ -95,8 +95,8 @@ TEST_F(ScenarioText, MistakesAreNamedWithTheirLine) {
   const std::string precision = "[[precision]]\n";
   EXPECT_EQ(Error(precision + "kind = 'path_eror'\n"),
             "4: kind = 'path_eror' is unknown; did you mean 'path_error'?");
-  EXPECT_EQ(Error(precision + "kind = 'tilt_peak'\nbest_m = 1\nworst_deg = 2\n"),
-            "5: unknown key 'best_m'; did you mean 'best_deg'?");
+  EXPECT_EQ(Error(precision + "kind = 'tilt_peak'\nbest_dg = 1\nworst_deg = 2\n"),
+            "5: unknown key 'best_dg'; did you mean 'best_deg'?");
   EXPECT_EQ(Error(precision + "kind = 'tilt_peak'\nbest_deg = 2\nworst_deg = 2\n"),
             "3: precision 'tilt_peak': best and worst are both " + fmt::format("{}", 2 * kDegree));
   EXPECT_EQ(
