@@ -17,7 +17,7 @@ struct Exercise {
   Task task;
 
   explicit Exercise(const Scenario& scenario = {})
-      : task(WithStep(scenario), Yard(), kScoreRules, kCritical) {
+      : task(WithStep(scenario), Yard(), kCritical) {
     for (const MovableObject& charge : Yard().movables) X_MO.push_back(charge.X_MO);
     inputs.dt_s = 0.1;
     inputs.state = &state;
