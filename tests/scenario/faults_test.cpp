@@ -35,17 +35,16 @@ TEST(Faults, RadioLossOfThreeSecondsStopsTheRobotAndWantsResetAndStart) {
                          "reset\nstart\nwait robot operate within 3s\n"
                          "hold M02 until speed < -0.1 within 3s\n",
                      {.kind = Kind::kRadioLoss, .at = 3, .duration = 3});
-  double longest_loss = 0, slowest = 1;
+  double longest_loss = 0, fastest = 0;
   dut.rig().SetStepSink([&](const sim::StepResult& step, const sim::AlarmTable&) {
     longest_loss = std::max(longest_loss, step.link_lost_s);
     // Rule 2: 100 ms, and a ramp of 200 ms.
-    if (step.link_lost_s > 0.304) slowest = std::max(step.speed, 0.0);
-    if (step.link_lost_s > 0.304) EXPECT_EQ(step.speed, 0) << step.link_lost_s;
+    if (step.link_lost_s > 0.304) fastest = std::max(fastest, std::abs(step.speed));
   });
   PlayScript(dut, 60s);
   // The last command came up to 20 ms before the fault, the next one up to 20 ms after it.
   EXPECT_NEAR(longest_loss, 3.0, 0.04);
-  EXPECT_EQ(slowest, 0);
+  EXPECT_EQ(fastest, 0);
 }
 
 TEST(Faults, BrokenLampStaysDarkWhileTheBuzzerSounds) {
