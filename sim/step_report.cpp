@@ -25,7 +25,8 @@ void Simulator::Report(const OperatorCommand& command, const Wish& wish,
       (response_.blocked | inhibition.all() | wish.refused | command.inhibited) & kAllMotions;
   const bool heard = command.heard != TimePoint{};
   result_.command_age_s = heard ? ToSeconds(result_.time - command.heard) : -1;
-  result_.link_lost_s = LinkLost(command);
+  result_.link_lost_s =
+      result_.command_age_s >= ToSeconds(config_.command_timeout) ? result_.command_age_s : 0;
   result_.link_latched = command.link_latched;
   result_.link_quality = link_.quality();
   result_.cable_out =
@@ -97,9 +98,7 @@ bool Simulator::SeesObject(int camera_select) {
 double Simulator::LinkLost(const OperatorCommand& command) {
   box_lost_steps_ = command.inhibit_reason == kReasonLinkLoss ? box_lost_steps_ + 1 : 0;
   const double box_lost_s = static_cast<double>(box_lost_steps_) * dt_s_;
-  const double silence_s = result_.command_age_s;
-  const bool is_silent = silence_s >= ToSeconds(config_.command_timeout);
-  return is_silent ? std::max(box_lost_s, silence_s) : box_lost_s;
+  return std::max(box_lost_s, result_.link_lost_s);
 }
 
 void Simulator::UpdateTask(uint32_t contacts_before, const OperatorCommand& command) {
@@ -118,7 +117,7 @@ void Simulator::UpdateTask(uint32_t contacts_before, const OperatorCommand& comm
   sample_.contact_by_held = false;
   inputs.new_contact = (response_.contact_parts & ~contacts_before) != 0;
   inputs.in_contact = response_.contact_parts != 0;
-  inputs.link_lost_s = result_.link_lost_s;
+  inputs.link_lost_s = LinkLost(command);
   inputs.rolled_over = alarms_.IsActive(AlarmCode::kRollover);
   if (first >= 0) {
     const CastSegment& cast = place_->isectors.segments()[first];

@@ -20,7 +20,7 @@ Mission Play(const std::string& text, const sim::FaultSpec& fault) {
 
 TEST(Faults, EmergencyStopInTheFieldLatchesTheBoxAndResetWaitsForItsRelease) {
   Mission dut = Play(PowerUp("flat") +
-                         "press M01\nwait robot estop within 10s\nexpect lamp estop on\n"
+                         "press M01\nwait robot estop within 10s\nwait lamp estop on within 200ms\n"
                          "expect alarm 128\nrelease all\nreset\nstart\nexpect robot estop\n"
                          "wait 5s\nexpect robot estop\nreset\nstart\nwait robot operate within 3s\n"
                          "hold M01 until speed >= 0.1 within 3s\n",
@@ -48,10 +48,11 @@ TEST(Faults, RadioLossOfThreeSecondsStopsTheRobotAndWantsResetAndStart) {
 }
 
 TEST(Faults, BrokenLampStaysDarkWhileTheBuzzerSounds) {
-  Mission dut = Play(PowerUp("flat") +
-                         "speed low\nhold M01 until alarm 16 within 30s\n"
-                         "expect lamp collision off\nexpect buzzer on\n",
-                     {.kind = Kind::kLampBroken, .target = "collision", .at = 0});
+  Mission dut =
+      Play(PowerUp("flat") +
+               "speed low\npress M01\nwait alarm 16 within 30s\nwait buzzer on within 2s\n"
+               "expect lamp collision off\n",
+           {.kind = Kind::kLampBroken, .target = "collision", .at = 0});
   PlayScript(dut, 60s);
 }
 

@@ -16,8 +16,7 @@ struct Exercise {
   TaskInputs inputs;
   Task task;
 
-  explicit Exercise(const Scenario& scenario = {})
-      : task(WithStep(scenario), Yard(), kCritical) {
+  explicit Exercise(const Scenario& scenario = {}) : task(WithStep(scenario), Yard(), kCritical) {
     for (const MovableObject& charge : Yard().movables) X_MO.push_back(charge.X_MO);
     inputs.dt_s = 0.1;
     inputs.state = &state;

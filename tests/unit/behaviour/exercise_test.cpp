@@ -55,7 +55,7 @@ struct Lesson {
   const StepResult& Step(int times = 1) {
     for (int i = 0; i < times; ++i) {
       now += milliseconds(4);
-      command.stamp = now;
+      command.stamp = command.heard = now;
       dut.Step(now, command);
     }
     return dut.last();

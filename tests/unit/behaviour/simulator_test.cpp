@@ -287,8 +287,8 @@ TEST(Simulator, ConfigurationThatDoesNotFitIsRefused) {
   };
   EXPECT_THAT(error_of(FirstDrive(), milliseconds(21)), HasSubstr("21 ms, allowed 1 .. 20 ms"));
   Scenario elsewhere = FirstDrive();
-  elsewhere.module = 5;
-  EXPECT_THAT(error_of(elsewhere, milliseconds(4)), HasSubstr("module 5 is not in "));
+  elsewhere.module = 6;
+  EXPECT_THAT(error_of(elsewhere, milliseconds(4)), HasSubstr("module 6 is not in "));
 }
 
 }  // namespace
