@@ -14,8 +14,9 @@ std::string Describe(const ConsoleConfig& config) {
       "text             /step.txt: what the trainee is to do now\n"
       "hears\n",
       config.address, config.port);
-  for (const Channel& channel : {kBoxCommandChannel, kMissionStatusChannel, kDriveCameraChannel,
-                                 kMastCameraChannel, kGripperCameraChannel, kRearCameraChannel}) {
+  for (const Channel& channel :
+       {kBoxCommandChannel, kMissionStatusChannel, kDriveCameraChannel, kMastCameraChannel,
+        kGripperCameraChannel, kRearCameraChannel, kQuadCameraChannel}) {
     text += fmt::format("  {:<24} {:<18} {}\n", ChannelName(config.channel_prefix, channel),
                         channel.type, channel.rate);
   }

@@ -17,16 +17,18 @@ struct Feed {
   const Channel& channel;
   std::string_view camera;
 };
-constexpr std::array<Feed, 4> kFeeds{{{kDriveCameraChannel, "drive"},
+constexpr std::array<Feed, 5> kFeeds{{{kDriveCameraChannel, "drive"},
                                       {kMastCameraChannel, "mast"},
                                       {kGripperCameraChannel, "gripper"},
-                                      {kRearCameraChannel, "rear"}}};
+                                      {kRearCameraChannel, "rear"},
+                                      {kQuadCameraChannel, "quad"}}};
 
 }  // namespace
 
 ConsoleNode::ConsoleNode(const ConsoleConfig& config, lcm::LCM& lcm)
     : config_(config), lcm_(lcm), server_(config.address, config.port, OperatorPage()) {
   server_.Tell("step", StepText(false, 0, 0, ""));
+  server_.Tell("beside", std::string(ShownFor(camera_select_).beside));
   subscriptions_.push_back(lcm_.subscribe(ChannelName(config.channel_prefix, kBoxCommandChannel),
                                           &ConsoleNode::OnCommand, this));
   subscriptions_.push_back(lcm_.subscribe(ChannelName(config.channel_prefix, kMissionStatusChannel),
@@ -47,7 +49,9 @@ std::string ConsoleNode::url() const {
 
 void ConsoleNode::OnCommand(const lcm::ReceiveBuffer* /*buffer*/, const std::string& /*channel*/,
                             const box_command_t* command) {
+  if (command->camera_select == camera_select_) return;
   camera_select_ = command->camera_select;
+  server_.Tell("beside", std::string(ShownFor(camera_select_).beside));
 }
 
 void ConsoleNode::OnMission(const lcm::ReceiveBuffer* /*buffer*/, const std::string& /*channel*/,

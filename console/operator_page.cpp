@@ -6,6 +6,8 @@ namespace eod::console {
 
 Shown ShownFor(int camera_select) {
   switch (camera_select) {
+    case 0:
+      return {"quad", ""};
     case 2:
       return {"gripper", "mast"};
     case 3:
@@ -35,15 +37,17 @@ figure { margin: 0 } a { color: #9cf; margin-right: 1em } footer { text-align: c
 <h1 id="step"></h1>
 <main>
 <figure><img src="/chosen.mjpeg" alt="no picture yet"><figcaption>The camera chosen on the box (key c)</figcaption></figure>
-<figure><img src="/beside.mjpeg" alt="no picture yet"><figcaption>Beside it</figcaption></figure>
+<figure id="beside"><img src="/beside.mjpeg" alt="no picture yet"><figcaption>Beside it</figcaption></figure>
 </main>
 <footer><a href="/drive.mjpeg">drive</a><a href="/mast.mjpeg">mast</a><a href="/gripper.mjpeg">gripper</a>
-<a href="/rear.mjpeg">rear</a> A camera sends while it is chosen, or stands beside the chosen one.</footer>
+<a href="/rear.mjpeg">rear</a><a href="/quad.mjpeg">quad</a> A camera sends while it is chosen, or stands beside the chosen one.</footer>
 <script>
 setInterval(async () => {
   try {
     const step = await fetch("/step.txt");
     if (step.ok) document.getElementById("step").textContent = await step.text();
+    const beside = await fetch("/beside.txt");
+    if (beside.ok) document.getElementById("beside").hidden = await beside.text() == "";
   } catch (gone) {
     document.getElementById("step").textContent = "eod-console has ended.";
   }

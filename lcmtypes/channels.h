@@ -53,6 +53,8 @@ inline constexpr Channel kGripperCameraChannel{"EOD_CAMERA_GRIPPER", "image_t", 
                                                "recorder, console", "25 to 30 Hz while chosen"};
 inline constexpr Channel kRearCameraChannel{"EOD_CAMERA_REAR", "image_t", "sim",
                                             "recorder, console", "25 to 30 Hz while chosen"};
+inline constexpr Channel kQuadCameraChannel{"EOD_CAMERA_QUAD", "image_t", "sim",
+                                            "recorder, console", "25 to 30 Hz while chosen"};
 inline constexpr Channel kPanelCommandChannel{"EOD_PANEL_COMMAND", "panel_command_t",
                                               "any panel or test", "firmware_emu", "on change"};
 inline constexpr Channel kPanelStatusChannel{"EOD_PANEL_STATUS", "panel_status_t", "firmware_emu",
@@ -74,6 +76,7 @@ inline constexpr std::array kChannels{kBoxCommandChannel,
                                       kMastCameraChannel,
                                       kGripperCameraChannel,
                                       kRearCameraChannel,
+                                      kQuadCameraChannel,
                                       kPanelCommandChannel,
                                       kPanelStatusChannel};
 

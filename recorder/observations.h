@@ -56,8 +56,8 @@ struct PanelSeen {
 };
 
 /// In the order of their worth to somebody who looks at a run.
-enum class Camera : uint8_t { kDrive, kMast, kGripper, kRear };
-inline constexpr int kCameraCount = 4;
+enum class Camera : uint8_t { kDrive, kMast, kGripper, kRear, kQuad };
+inline constexpr int kCameraCount = 5;
 
 inline constexpr int kModuleCount = 5;
 inline constexpr int kCollisionAlarm = 0x10;  ///< alarm_t.code

@@ -32,7 +32,7 @@ constexpr Duration kAftermath = std::chrono::milliseconds(500);
 constexpr int kQueueCapacity = 2000;
 
 constexpr std::array<std::string_view, kCameraCount> kCameraNames{"drive", "mast", "gripper",
-                                                                  "rear"};
+                                                                  "rear", "quad"};
 
 template <typename Message>
 std::optional<Message> Decode(const lcm::ReceiveBuffer& buffer) {
@@ -162,6 +162,8 @@ void RecorderNode::Observe(const lcm::ReceiveBuffer& buffer, const std::string& 
     OnImage(buffer, Camera::kGripper);
   } else if (is(kRearCameraChannel)) {
     OnImage(buffer, Camera::kRear);
+  } else if (is(kQuadCameraChannel)) {
+    OnImage(buffer, Camera::kQuad);
   }
 }
 

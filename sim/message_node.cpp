@@ -84,6 +84,11 @@ OperatorCommand ToCommand(const box_command_t& message, TimePoint received) {
   command.lamp_test = message.lamp_test != 0;
   command.horn = message.horn != 0;
   command.camera_select = message.camera_select;
+  command.camera_zoom = message.camera_zoom;
+  // 0 off, 1 drive, 2 gripper, 3 both.
+  command.lights = {.drive = (message.light & 1) != 0,
+                    .gripper = (message.light & 2) != 0,
+                    .infrared = message.infrared != 0};
   command.menu_module = message.menu_module;
   command.menu_exercise = message.menu_exercise;
   command.menu_command = message.menu_command;

@@ -8,6 +8,7 @@
 #include "sim/faults/active_faults.h"
 #include "sim/motion/motion.h"
 #include "sim/robot/motion_id.h"
+#include "sim/robot/robot_lights.h"
 
 namespace eod::sim {
 
@@ -49,6 +50,8 @@ struct OperatorCommand {
   bool lamp_test = false;  ///< the operator looks whether all lamps light
   bool horn = false;
   int camera_select = 1;  ///< 0 quad, 1 drive, 2 gripper, 3 mast, 4 rear
+  RobotLights lights;
+  int camera_zoom = 0;    ///< 0 hold, 1 in, 2 out
   int menu_module = 0;    ///< 0 none, 1 flat .. 5 indoor
   int menu_exercise = 0;  ///< 1..15 which of the module, 0 the one that is loaded
   int menu_command = 0;   ///< MenuCommand; acts when it changes

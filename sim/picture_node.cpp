@@ -8,6 +8,7 @@ PictureNode::PictureNode(lcm::LCM& lcm, std::string_view channel_prefix) : lcm_(
   outputs_["drive"].channel = ChannelName(channel_prefix, kDriveCameraChannel);
   outputs_["gripper"].channel = ChannelName(channel_prefix, kGripperCameraChannel);
   outputs_["rear"].channel = ChannelName(channel_prefix, kRearCameraChannel);
+  outputs_["quad"].channel = ChannelName(channel_prefix, kQuadCameraChannel);
   outputs_["mast"].channel = ChannelName(channel_prefix, kMastCameraChannel);
 }
 

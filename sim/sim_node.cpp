@@ -1,6 +1,7 @@
 #include "sim/sim_node.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 #include <fmt/core.h>
@@ -11,6 +12,11 @@
 namespace eod::sim {
 namespace {
 
+constexpr std::array<std::pair<uint8_t, CameraFault::Kind>, 4> kCameraFaults{
+    {{kCameraDeadBit, CameraFault::Kind::kDead},
+     {kCameraFrozenBit, CameraFault::Kind::kFrozen},
+     {kCameraNoisyBit, CameraFault::Kind::kNoisy},
+     {kCameraWrongLightBit, CameraFault::Kind::kWrongLight}}};
 constexpr size_t kMostPictures = 64;  // under way: a second of them at their highest rate
 
 /// Whether the operator's side may hear less, later or other than the truth.
@@ -224,10 +230,21 @@ void SimNode::FillScene(const StepResult& result, SceneSnapshot& snapshot) const
   snapshot.link_quality = static_cast<float>(result.link_quality);
   snapshot.module = result.module;
   snapshot.camera_select = command_.camera_select;
+  snapshot.weather = simulator_.scenario().weather;
+  snapshot.lights = command_.lights;
+  snapshot.zoom = result.zoom;
   snapshot.state = result.state;
   snapshot.movables.clear();
   for (const BodyState& body : simulator_.bodies()) {
     snapshot.movables.push_back({.X_MO = body.X_MO, .is_visible = !body.is_gone});
+  }
+  snapshot.seed = static_cast<uint32_t>(simulator_.scenario().seed);
+  snapshot.faults.clear();
+  for (size_t i = 0; i < robot_.cameras.size(); ++i) {
+    for (const auto& [bit, kind] : kCameraFaults) {
+      if ((simulator_.faults().active().camera.at(i) & bit) == 0) continue;
+      snapshot.faults.push_back({.camera = robot_.cameras[i].name, .kind = kind});
+    }
   }
   const Explosion& explosion = simulator_.explosion();
   snapshot.quads.assign(explosion.quads().begin(), explosion.quads().end());

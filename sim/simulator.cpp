@@ -28,6 +28,7 @@ Simulator::Simulator(const RobotModel& robot, const WorldModel& world, const Sce
       dt_s_(ToSeconds(config.period)),
       drives_(robot_),
       preset_run_(robot_),
+      zoom_(robot_, dt_s_),
       payload_(robot_),
       link_(scenario.link, config.exercise.link, dt_s_),
       faults_(scenario, robot_),
@@ -93,6 +94,7 @@ const StepResult& Simulator::Step(TimePoint now, const OperatorCommand& command)
   // A robot that stands still stands where it stood, to the last bit.
   if (Move(wanted, inhibition, verdict) || !before.at_rest) StandOnGround(before);
   Dispose(command);
+  Zoom(command, now);
   link_.Advance(place_->world, result_.state, faults.silent, faults.snagged);
   battery_.Advance(wanted, faults.battery_sag, dt_s_);
   Report(command, wish, inhibition);
@@ -113,6 +115,8 @@ void Simulator::StandAtStart() {
   drives_.HaltAll();
   bearing_.Reset();
   tilt_guard_.Reset();
+  zoom_.Reset();
+  result_.zoom = zoom_.magnification();
   LinkPoses(robot_, result_.state, link_poses_);
   if (config_.coverage == Coverage::kExtended) {
     result_.state = place_->stance.PutDown(place_->world, result_.state, link_poses_);
@@ -257,6 +261,14 @@ void Simulator::Dispose(const OperatorCommand& command) {
   const int charge = disposal.bomb_body;
   result_.charge = charge < 0 ? Eigen::Vector3d::Zero().eval()
                               : bodies()[static_cast<size_t>(charge)].X_MO.translation().eval();
+}
+
+/// The lens needs no enabling switch; but a command that is old must not zoom on for ever.
+void Simulator::Zoom(const OperatorCommand& command, TimePoint now) {
+  const bool is_fresh = now - command.stamp < config_.command_timeout;
+  if (!is_fresh || paused_ || result_.disposal.robot_destroyed) return;
+  zoom_.Step(static_cast<ZoomWish>(command.camera_zoom));
+  result_.zoom = zoom_.magnification();
 }
 
 /// What the arm carries, for balance.

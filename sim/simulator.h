@@ -16,6 +16,7 @@
 #include "sim/motion/drives.h"
 #include "sim/motion/payload.h"
 #include "sim/motion/preset_run.h"
+#include "sim/motion/zoom_drive.h"
 #include "sim/operator_command.h"
 #include "sim/place.h"
 #include "sim/plume/explosion.h"
@@ -50,6 +51,7 @@ struct StepResult {
   RobotState state;
   double speed = 0;          ///< [m/s] along the chassis' forward axis
   double turn_rate = 0;      ///< [rad/s] left positive
+  double zoom = 1;           ///< magnification of the camera that zooms
   uint32_t limit_flags = 0;  ///< joints that stand on a limit, bit j is joint j
   MotionSet inhibited = 0;  ///< by a contact that stands, a limit that is pressed on, or the bridge
   int inhibit_reason = kReasonNone;  ///< of several: collision, joint limit, tilt, others
@@ -144,6 +146,7 @@ class Simulator {
   void PressFlippers(MotionSet wanted);
   void StandOnGround(const RobotState& before);
   Load HeldLoad() const;
+  void Zoom(const OperatorCommand& command, TimePoint now);
   void Dispose(const OperatorCommand& command);
   void UpdateAlarms(MotionSet wished, const Inhibition& inhibition);
   void UpdateTask(uint32_t contacts_before, const OperatorCommand& command);
@@ -163,6 +166,7 @@ class Simulator {
   Place* place_ = nullptr;
   Drives drives_;
   PresetRun preset_run_;
+  ZoomDrive zoom_;
   Payload payload_;
   ControlLink link_;
   FaultInjector faults_;

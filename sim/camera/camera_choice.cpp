@@ -19,7 +19,8 @@ constexpr std::array<Pair, 4> kPairs{{{CameraChoice::kDrive, "drive", "mast"},
 }  // namespace
 
 int PictureInterval(int choice, std::string_view camera) {
-  if (choice == static_cast<int>(CameraChoice::kQuad)) return 2;
+  const bool is_quad = choice == static_cast<int>(CameraChoice::kQuad);
+  if (is_quad || camera == kQuadPicture) return is_quad && camera == kQuadPicture ? 1 : 0;
   const Pair* shown = kPairs.data();
   for (const Pair& pair : kPairs) {
     if (choice == static_cast<int>(pair.choice)) shown = &pair;

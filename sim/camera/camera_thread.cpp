@@ -19,21 +19,16 @@
 #include "sim/camera/camera_choice.h"
 #include "sim/camera/gl_context.h"
 #include "sim/camera/jpeg_encoder.h"
+#include "sim/camera/picture_maker.h"
 #include "sim/camera/picture_schedule.h"
-#include "sim/camera/scene_renderer.h"
 
 namespace eod::sim {
 namespace {
 
-/// One camera on its way from scene to JPEG. Lives on the camera's thread.
-struct Eye {
-  CameraSpec spec;
-  RenderTarget target;
-  JpegEncoder encoder;
-};
-
 void CheckConfig(const RobotModel& robot, const CameraConfig& config) {
-  for (const std::string& name : config.cameras) FindCamera(robot, name);
+  for (const std::string& name : config.cameras) {
+    ViewsOf(robot, name, config.width, config.height);
+  }
   const auto check = [](const char* what, double value, double low, double high) {
     if (value < low || value > high) {
       throw std::runtime_error(
@@ -93,53 +88,43 @@ class CameraThread::Worker {
       pthread_setname_np(pthread_self(), "eod-camera");
       RunAfterOthers();
       // Everything of OpenGL is made, used and destroyed on this thread.
-      const std::unique_ptr<GlContext> context = MakeOsMesaContext();
-      SceneRenderer renderer(context->gl(), robot_, world_);
-      std::vector<Eye> eyes = OpenEyes(context->gl());
+      const std::unique_ptr<GlContext> context = MakeGlContext(config_.backend);
+      PictureMaker maker(context->gl(), robot_, world_, config_.width, config_.height,
+                         config_.draw_data);
+      JpegEncoder encoder(config_.width, config_.height, config_.jpeg_quality);
       malloc_trim(0);  // what painting and loading took and gave back, tens of megabytes
       started.set_value();
-      Loop(renderer, eyes);
+      Loop(maker, encoder);
     } catch (...) {
       started.set_exception(std::current_exception());
     }
   }
 
-  std::vector<Eye> OpenEyes(const GlFunctions& gl) const {
-    std::vector<Eye> eyes;
-    for (const std::string& name : config_.cameras) {
-      eyes.push_back(Eye{FindCamera(robot_, name), RenderTarget(gl, config_.width, config_.height),
-                         JpegEncoder(config_.width, config_.height, config_.jpeg_quality)});
-    }
-    return eyes;
-  }
-
-  void Loop(SceneRenderer& renderer, std::vector<Eye>& eyes) {
+  void Loop(PictureMaker& maker, JpegEncoder& encoder) {
     SceneSnapshot snapshot;
-    std::vector<int> intervals(eyes.size());
+    std::vector<int> intervals(config_.cameras.size());
     while (TakeNewest(snapshot)) {
-      for (size_t i = 0; i < eyes.size(); ++i) {
-        intervals[i] = PictureInterval(snapshot.camera_select, eyes[i].spec.name);
+      for (size_t i = 0; i < intervals.size(); ++i) {
+        intervals[i] = PictureInterval(snapshot.camera_select, config_.cameras[i]);
       }
       schedule_.Choose(intervals, snapshot.time);
-      bool is_prepared = false;
-      // All cameras that are due show the same moment, and share its shadow.
+      maker.Show(snapshot);
+      encoder.set_quality(PictureLink::JpegQuality(snapshot.link_quality, config_.jpeg_quality));
+      // All pictures that are due show the same moment.
       while (const std::optional<size_t> due = schedule_.Due(snapshot.time)) {
-        if (!is_prepared) renderer.Prepare(snapshot);
-        is_prepared = true;
         schedule_.Drawn(*due, snapshot.time);
-        TakePicture(renderer, eyes[*due], snapshot.time);
+        HandOut(config_.cameras[*due], snapshot.time, maker.Make(config_.cameras[*due]), encoder);
         if (IsStopping()) return;
       }
     }
   }
 
-  void TakePicture(SceneRenderer& renderer, Eye& eye, TimePoint time) {
-    renderer.Draw(eye.spec, eye.target);
-    eye.target.Read(pixels_);
-    const std::span<const uint8_t> jpeg = eye.encoder.Encode(pixels_);
+  void HandOut(const std::string& name, TimePoint time, const std::vector<uint8_t>& pixels,
+               JpegEncoder& encoder) {
+    const std::span<const uint8_t> jpeg = encoder.Encode(pixels);
     if (jpeg.empty()) return;
     pictures_.fetch_add(1, std::memory_order_relaxed);
-    sink_({eye.spec.name, time, config_.width, config_.height, jpeg});
+    sink_({name, time, config_.width, config_.height, jpeg});
   }
 
   /// Waits for a snapshot; false when the thread is to end.
@@ -162,7 +147,6 @@ class CameraThread::Worker {
   const CameraConfig config_;
   const PictureSink sink_;
   PictureSchedule schedule_;
-  std::vector<uint8_t> pixels_;  // of the picture being compressed; the camera's thread only
   std::atomic<uint64_t> pictures_{0};
 
   std::mutex mutex_;

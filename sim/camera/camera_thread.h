@@ -10,9 +10,12 @@
 #include <Eigen/Geometry>
 
 #include "platform/time.h"
+#include "sim/camera/camera_fault.h"
+#include "sim/camera/gl_context.h"
 #include "sim/plume/picture_effects.h"
 #include "sim/plume/plume_quad.h"
 #include "sim/robot/robot_model.h"
+#include "sim/world/weather.h"
 #include "sim/world/world_model.h"
 
 namespace eod::sim {
@@ -39,24 +42,32 @@ struct DrawnMovable {
 struct SceneSnapshot {
   TimePoint time{};
   int module = 1;
-  int camera_select = 1;   ///< the operator's, see CameraChoice
-  float link_quality = 1;  ///< 0..1 of the link that brings the pictures
+  int camera_select = 1;  ///< the operator's, see CameraChoice
+  Weather weather;
+  RobotLights lights;
   RobotState state;
   std::vector<DrawnSegment> segments;  ///< empty unless isectors are drawn
   /// Those beyond its end stand where the module has them at the start.
   std::vector<DrawnMovable> movables;
   std::vector<PlumeQuad> quads;  ///< of an explosion
   PictureEffects effects;
+  double zoom = 1;         ///< magnification of cameras that zoom
+  float link_quality = 1;  ///< of the way that pictures take, 0 (none arrives) .. 1
+  std::vector<CameraFault> faults;
+  uint32_t seed = 0;  ///< of noise and of what the link damages
 };
 
 struct CameraConfig {
-  /// Names in the robot file. Which of them are rendered follows the operator's choice.
-  std::vector<std::string> cameras = {"drive", "gripper", "mast", "rear"};
+  /// Names in the robot file, and "quad": all four in one picture. Which of them are rendered
+  /// follows the operator's choice.
+  std::vector<std::string> cameras = {"drive", "gripper", "mast", "rear", "quad"};
   int width = 640;
   int height = 480;
   double rate_hz = 30;  ///< pictures a second of a camera at its full rate, 1..60
   int jpeg_quality = 80;
   bool draw_isectors = false;
+  bool draw_data = true;  ///< name, time, tilt and zoom, burnt into the pictures
+  GlBackend backend = GlBackend::kOsMesa;
 };
 
 /// One compressed picture. At most 65,000 bytes, so that it fits one LCM datagram: quality is

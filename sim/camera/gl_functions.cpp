@@ -9,11 +9,12 @@ namespace eod::sim {
 
 GlFunctions LoadGlFunctions(const std::function<void (*(const char*))()>& lookup) {
   GlFunctions gl;
-#define EOD_GL_LOAD(type, name)                                                              \
-  gl.name = reinterpret_cast<type>(lookup("gl" #name));                                      \
-  if (gl.name == nullptr) {                                                                  \
-    throw std::runtime_error("cameras: the OpenGL library lacks gl" #name                    \
-                             "; install libosmesa6 of Debian 12, or run with --no-cameras"); \
+#define EOD_GL_LOAD(type, name)                                                     \
+  gl.name = reinterpret_cast<type>(lookup("gl" #name));                             \
+  if (gl.name == nullptr) {                                                         \
+    throw std::runtime_error(                                                       \
+        "cameras: the OpenGL library lacks gl" #name                                \
+        "; install libosmesa6 and libegl1 of Debian 12, or run with --no-cameras"); \
   }
   EOD_GL_FUNCTIONS(EOD_GL_LOAD)
 #undef EOD_GL_LOAD

@@ -21,7 +21,9 @@ GpuMesh::GpuMesh(const GlFunctions& gl, const SurfaceMesh& mesh)
   gl.VertexAttribPointer(3, 2, GL_FLOAT, GL_FALSE, kStride, BufferOffset(offsetof(Vertex, uv)));
   gl.VertexAttribPointer(4, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride,
                          BufferOffset(offsetof(Vertex, diffuse)));
-  for (GLuint attribute = 0; attribute < 5; ++attribute) gl.EnableVertexAttribArray(attribute);
+  gl.VertexAttribPointer(5, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride,
+                         BufferOffset(offsetof(Vertex, lamps)));
+  for (GLuint attribute = 0; attribute < 6; ++attribute) gl.EnableVertexAttribArray(attribute);
 }
 
 void GpuMesh::Bind() const { gl_->BindVertexArray(array_.id()); }

@@ -8,7 +8,7 @@
 namespace eod::sim {
 
 /// A mesh in OpenGL's memory. Attributes: 0 position, 1 normal, 2 bone, 3 uv, 4 diffuse and
-/// specular.
+/// specular, 5 lamps and sky.
 class GpuMesh {
  public:
   GpuMesh(const GlFunctions& gl, const SurfaceMesh& mesh);

@@ -19,6 +19,8 @@ class JpegEncoder {
   /// kMaxBytes. Empty if it cannot be compressed. Valid until the next call.
   std::span<const uint8_t> Encode(std::span<const uint8_t> rgba);
 
+  /// 1..100, from the next picture on.
+  void set_quality(int quality) { quality_ = quality; }
   /// Quality of the last picture.
   int last_quality() const { return last_quality_; }
 

@@ -47,9 +47,15 @@ RenderTarget::RenderTarget(const GlFunctions& gl, int width, int height)
   CheckComplete(gl, width, height);
 }
 
-void RenderTarget::Bind() const {
+void RenderTarget::Bind(const PixelArea& area) const {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-  gl_->Viewport(0, 0, width_, height_);
+  gl_->Viewport(area.x, area.y, area.width, area.height);
+  if (area == whole()) {
+    gl_->Disable(GL_SCISSOR_TEST);
+  } else {
+    gl_->Enable(GL_SCISSOR_TEST);
+    gl_->Scissor(area.x, area.y, area.width, area.height);
+  }
 }
 
 void RenderTarget::Read(std::vector<uint8_t>& pixels) const {
@@ -81,6 +87,7 @@ ShadowMap::ShadowMap(const GlFunctions& gl)
 void ShadowMap::Bind() const {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
   gl_->Viewport(0, 0, kSide, kSide);
+  gl_->Disable(GL_SCISSOR_TEST);
 }
 
 GlObject UploadSurface(const GlFunctions& gl, const Image& image) {

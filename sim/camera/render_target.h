@@ -5,18 +5,20 @@
 
 #include "sim/camera/canvas.h"
 #include "sim/camera/gl_object.h"
+#include "sim/camera/pixel_view.h"
 
 namespace eod::sim {
 
-/// Colour and depth buffer of one camera.
+/// Colour and depth buffer of one picture.
 class RenderTarget {
  public:
   RenderTarget(const GlFunctions& gl, int width, int height);
 
   int width() const { return width_; }
   int height() const { return height_; }
-  /// Makes this the buffer that is drawn into, and its whole area the viewport.
-  void Bind() const;
+  PixelArea whole() const { return {0, 0, width_, height_}; }
+  /// Makes this the buffer that is drawn into, `area` the viewport, and leaves all else alone.
+  void Bind(const PixelArea& area) const;
   /// Copies the picture out: RGBA, bottom row first. `pixels` keeps its memory between calls.
   void Read(std::vector<uint8_t>& pixels) const;
 

@@ -8,7 +8,8 @@ layout(location = 1) in vec3 a_normal;
 layout(location = 2) in uint a_bone;
 layout(location = 3) in vec2 a_uv;
 layout(location = 4) in vec4 a_material;
-uniform vec4 u_bones[3 * 65];     // rows of each bone's pose in the module
+layout(location = 5) in vec4 a_light;     // lamps, sky
+uniform vec4 u_bones[4 * 60];     // rows of each bone's pose in the module; lamps and sky
 uniform mat4 u_view_projection;
 uniform mat4 u_shadow_matrix;
 uniform vec3 u_eye;
@@ -21,8 +22,12 @@ out vec3 v_position;
 out vec3 v_normal;
 out vec3 v_shadow;
 out vec4 v_light;                 // ambient colour, share of the sun
+#ifdef WET
+uniform float u_wetness;
+out float v_wet;
+#endif
 void main() {
-  int row = int(a_bone) * 3;
+  int row = int(a_bone) * 4;
   vec4 here = vec4(a_position, 1.0);
   vec3 position = vec3(dot(u_bones[row], here), dot(u_bones[row + 1], here),
                        dot(u_bones[row + 2], here));
@@ -34,8 +39,15 @@ void main() {
   v_normal = normal;
   // The shadow is looked up a little outside the surface, else it would shade itself.
   v_shadow = (u_shadow_matrix * vec4(position + normal * 0.025, 1.0)).xyz;
-  v_light = vec4(mix(u_ground_light, u_sky_light, 0.5 + 0.5 * normal.z),
-                 max(dot(normal, u_to_sun), 0.0));
+  vec4 around = u_bones[row + 3];
+  float sky = a_light.a * around.a;
+  v_light.rgb = mix(u_ground_light, u_sky_light, 0.5 + 0.5 * normal.z) * sky +
+                4.0 * a_light.rgb * a_light.rgb + around.rgb;
+  // Beyond the shadow map, what sees little of the sky sees nothing of the sun.
+  v_light.a = max(dot(normal, u_to_sun), 0.0) * min(5.0 * sky, 1.0);
+#ifdef WET
+  v_wet = u_wetness * smoothstep(0.3, 0.9, sky) * smoothstep(0.2, 0.95, normal.z);
+#endif
   gl_Position = u_view_projection * vec4(position, 1.0);
 }
 )";
@@ -49,6 +61,16 @@ uniform vec3 u_to_sun;
 uniform vec3 u_sun_light;
 uniform vec3 u_fog_colour;
 uniform float u_fog_density;      // in powers of two per metre
+#ifdef SPOTS
+uniform vec4 u_spot_place[SPOTS]; // position, 1 / range^2
+uniform vec4 u_spot_way[SPOTS];   // direction, cosine where it is dark
+uniform vec4 u_spot_light[SPOTS]; // colour, 1 / difference of the cone's cosines
+uniform vec3 u_spot_fade[SPOTS];  // 1 / (x + y d + z d^2)
+#endif
+#ifdef WET
+uniform vec3 u_sheen;
+in float v_wet;
+#endif
 in vec2 v_uv;
 in vec4 v_material;
 in vec3 v_position;
@@ -79,7 +101,35 @@ void main() {
 #endif
   float sun = v_light.a * texture(u_shadow, v_shadow);
   vec3 light = v_light.rgb + u_sun_light * sun;
+#ifdef SPOTS
+  for (int i = 0; i < SPOTS; ++i) {
+    vec3 ray = v_position - u_spot_place[i].xyz;
+    float squared = dot(ray, ray);
+    float inverse = inversesqrt(squared);
+    float cone = clamp((dot(ray, u_spot_way[i].xyz) * inverse - u_spot_way[i].w) *
+                       u_spot_light[i].w, 0.0, 1.0);
+    float share = min(squared * u_spot_place[i].w, 1.0);
+    float window = (1.0 - share * share) * cone;
+    float facing = max(-dot(v_normal, ray) * inverse, 0.0);
+    light += u_spot_light[i].rgb * (window * window * facing /
+             (u_spot_fade[i].x + squared * (u_spot_fade[i].y * inverse + u_spot_fade[i].z)));
+  }
+#endif
+#ifdef WET
+  albedo *= 1.0 - 0.5 * v_wet;
+#endif
   vec3 colour = albedo * light + u_sun_light * (shine * sun);
+#ifdef WET
+  float grazing = 1.0 - max(dot(v_normal, to_eye) / distance, 0.0);
+  float grazing2 = grazing * grazing;
+  float mirror = 0.03 + WET * grazing2 * grazing2;
+  // Water stands where the ground is low, and the texture dark.
+  colour += u_sheen * (v_wet * mirror * clamp(1.6 - 1.4 * tone.g, 0.2, 1.0));
+#endif
+#ifdef INFRARED
+  // Leaves throw back most of what is just beyond red.
+  colour = vec3(dot(colour, vec3(0.35, 0.60, 0.05)));
+#endif
   float clear = exp2(-u_fog_density * distance);
   o_colour = vec4(mix(u_fog_colour, sqrt(colour), clear), 1.0);
 }
@@ -88,10 +138,10 @@ void main() {
 const std::string_view kShadowVertexShader = R"(
 layout(location = 0) in vec3 a_position;
 layout(location = 2) in uint a_bone;
-uniform vec4 u_bones[3 * 65];
+uniform vec4 u_bones[4 * 60];
 uniform mat4 u_view_projection;
 void main() {
-  int row = int(a_bone) * 3;
+  int row = int(a_bone) * 4;
   vec4 here = vec4(a_position, 1.0);
   gl_Position = u_view_projection * vec4(dot(u_bones[row], here), dot(u_bones[row + 1], here),
                                          dot(u_bones[row + 2], here), 1.0);
@@ -116,9 +166,13 @@ void main() {
 
 const std::string_view kSkyFragmentShader = R"(
 uniform sampler2D u_texture;
+uniform float u_grey;             // 1: no colours
 in vec2 v_uv;
 out vec4 o_colour;
-void main() { o_colour = vec4(texture(u_texture, v_uv).rgb, 1.0); }
+void main() {
+  vec3 colour = texture(u_texture, v_uv).rgb;
+  o_colour = vec4(mix(colour, vec3(dot(colour, vec3(0.35, 0.60, 0.05))), u_grey), 1.0);
+}
 )";
 
 const std::string_view kOverlayVertexShader = R"(

@@ -46,23 +46,31 @@ SurfaceMesh MakeDome() {
 
 }  // namespace
 
-SkyDome::SkyDome(const GlFunctions& gl, const Atmosphere& atmosphere)
+SkyDome::SkyDome(const GlFunctions& gl)
     : gl_(&gl),
       program_(MakeProgram(gl, "sky", kSkyVertexShader, kSkyFragmentShader)),
       view_projection_(gl.GetUniformLocation(program_.id(), "u_view_projection")),
-      texture_(UploadPanorama(gl, PaintSkyPanorama(atmosphere, kPanoramaWidth, kPanoramaHeight))),
+      grey_(gl.GetUniformLocation(program_.id(), "u_grey")),
       dome_(MakeDome()),
       mesh_(gl, dome_) {}
 
-int SkyDome::Draw(const View& view) const {
+void SkyDome::SetLook(const SkyLook& look) {
+  if (look_ == look) return;
+  look_ = look;
+  texture_.reset();
+  texture_.emplace(UploadPanorama(*gl_, PaintSkyPanorama(look, kPanoramaWidth, kPanoramaHeight)));
+}
+
+int SkyDome::Draw(const View& view, bool is_infrared) const {
   // The dome is centred on the eye: directions only.
   Eigen::Matrix4d directions = view.clip;
   directions.col(3) += view.clip.leftCols<3>() * view.p_ME;
   const Eigen::Matrix4f clip = directions.cast<float>();
   gl_->UseProgram(program_.id());
   gl_->UniformMatrix4fv(view_projection_, 1, GL_FALSE, clip.data());
+  gl_->Uniform1f(grey_, is_infrared ? 1.0F : 0.0F);
   gl_->ActiveTexture(GL_TEXTURE0);
-  gl_->BindTexture(GL_TEXTURE_2D, texture_.id());
+  gl_->BindTexture(GL_TEXTURE_2D, texture_->id());
   gl_->DepthFunc(GL_LEQUAL);
   gl_->Disable(GL_CULL_FACE);
   mesh_.Bind();

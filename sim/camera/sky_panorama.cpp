@@ -79,23 +79,23 @@ Skyline SkylineAt(float u) {
 }
 
 struct Painter {
-  const Atmosphere& atmosphere;
-  Vector3f to_sun;
+  const SkyLook& look;
   Colour fog;
-  Colour zenith;
 
   Colour Sky(const Vector3f& direction) const {
     const float up = std::max(direction.z(), 0.0F);
-    Colour colour = Mix(fog, zenith, 1.0F - std::exp(-3.2F * up));
-    const float haze = SmoothStep(0.01F, 0.22F, up);
-    const Cloud cloud = haze > 0 ? CloudAt(direction, to_sun) : Cloud{0, 0};
-    const Colour white = Mix(Colour(0.58F, 0.62F, 0.68F), Colour(1.0F, 0.99F, 0.97F), cloud.light);
-    colour = Mix(colour, white, 0.9F * cloud.cover * haze);
-    const float towards = std::max(direction.dot(to_sun), 0.0F);
-    colour += atmosphere.sun_colour *
-              (0.16F * std::pow(towards, 12.0F) + 0.35F * std::pow(towards, 160.0F));
+    Colour colour = Mix(fog, look.zenith, 1.0F - std::exp(-3.2F * up));
+    const float clear = 1 - look.overcast;
+    if (clear == 0) return colour;
+    const float low = SmoothStep(0.01F, 0.22F, up);
+    const Cloud cloud = low > 0 ? CloudAt(direction, look.to_light) : Cloud{0, 0};
+    const Colour white = Mix(look.cloud_shade, look.cloud_lit, cloud.light);
+    colour = Mix(colour, white, 0.9F * clear * cloud.cover * low);
+    const float towards = std::max(direction.dot(look.to_light), 0.0F);
+    colour += clear * look.glow *
+              (std::pow(towards, 12.0F) + 2.2F * std::pow(towards, 160.0F));
     // Disc of three degrees: a camera's bloom makes it larger than it is.
-    return Mix(colour, Colour(1.0F, 0.99F, 0.95F), SmoothStep(0.99935F, 0.9997F, towards));
+    return Mix(colour, look.disc, clear * SmoothStep(0.99935F, 0.9997F, towards));
   }
 
   /// `sky` with the hills and trees that stand before it.
@@ -104,10 +104,11 @@ struct Painter {
     const auto cover = [&](const Colour& with, float top) {
       sky = Mix(sky, with, 1.0F - SmoothStep(top - kSoftness, top + kSoftness, elevation));
     };
-    cover(Mix(fog, Colour(0.48F, 0.57F, 0.68F), 0.50F), line.far_hills);
-    cover(Mix(fog, Colour(0.42F, 0.53F, 0.53F), 0.70F), line.near_hills);
+    cover(Mix(fog, look.hills * Colour(0.48F, 0.57F, 0.68F), 0.50F), line.far_hills);
+    cover(Mix(fog, look.hills * Colour(0.42F, 0.53F, 0.53F), 0.70F), line.near_hills);
     const float leaf = TilingNoise(u * 1800.0F, elevation * 300.0F, 1800, 313);
-    cover(Mix(fog, Colour(0.30F, 0.38F, 0.25F) * (0.85F + 0.3F * leaf), 0.78F), line.trees);
+    cover(Mix(fog, look.hills * Colour(0.30F, 0.38F, 0.25F) * (0.85F + 0.3F * leaf), 0.78F),
+          line.trees);
     // Mist at the foot of the trees joins them with the fogged ground.
     return Mix(sky, fog, 0.85F * (1.0F - SmoothStep(-0.003F, 0.006F, elevation)));
   }
@@ -117,9 +118,26 @@ struct Painter {
     const Vector3f direction(std::sin(azimuth) * std::cos(elevation),
                              std::cos(azimuth) * std::cos(elevation), std::sin(elevation));
     const Colour sky = Sky(direction);
-    return elevation < kHighestLand ? Land(sky, line, u, elevation) : sky;
+    const Colour all = elevation < kHighestLand ? Land(sky, line, u, elevation) : sky;
+    return Mix(all, fog, look.haze);
   }
 };
+
+/// Dots above the land, more of them the fainter they are. Evenly over the sky: the sine of the
+/// elevation is uniform.
+void PaintStars(float brightness, Canvas& canvas) {
+  constexpr int kStars = 1400;
+  PaintRandom random(77);
+  for (int star = 0; star < kStars; ++star) {
+    const float u = random.Uniform(0, 1);
+    const float elevation = std::asin(random.Uniform(std::sin(kHighestLand), 1));
+    const float magnitude = random.Uniform(0, 1);
+    const auto x = static_cast<int>(u * static_cast<float>(canvas.width()));
+    const auto y = static_cast<int>(PanoramaRow(elevation) * static_cast<float>(canvas.height()));
+    canvas.At(x, std::min(y, canvas.height() - 1)) +=
+        Colour::Constant(brightness * magnitude * magnitude * magnitude);
+  }
+}
 
 }  // namespace
 
@@ -129,9 +147,8 @@ float PanoramaRow(float elevation) {
   return std::sqrt(std::clamp((elevation - kLowest) / (kHighest - kLowest), 0.0F, 1.0F));
 }
 
-Image PaintSkyPanorama(const Atmosphere& atmosphere, int width, int height) {
-  const Painter painter{atmosphere, atmosphere.sun_direction.normalized(), atmosphere.fog_colour,
-                        atmosphere.sky_colour};
+Image PaintSkyPanorama(const SkyLook& look, int width, int height) {
+  const Painter painter{look, look.horizon};
   std::vector<Skyline> skyline;
   skyline.reserve(static_cast<size_t>(width));
   for (int x = 0; x < width; ++x) {
@@ -142,6 +159,7 @@ Image PaintSkyPanorama(const Atmosphere& atmosphere, int width, int height) {
     const auto column = static_cast<size_t>(u * static_cast<float>(width));
     return painter.At(u, PanoramaElevation(v), skyline.at(column));
   });
+  if (look.stars > 0) PaintStars(look.stars * (1 - look.haze), canvas);
   return canvas.ToImage();
 }
 

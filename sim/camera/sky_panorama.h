@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/camera/canvas.h"
-#include "sim/world/world_model.h"
+#include "sim/camera/lighting.h"
 
 namespace eod::sim {
 
@@ -14,6 +14,6 @@ float PanoramaRow(float elevation);
 
 /// Paints all that is too far away to move with the camera: sky gradient, sun, clouds, hills and a
 /// line of trees. Column u is the direction (sin 2 pi u, cos 2 pi u) in X, Y.
-Image PaintSkyPanorama(const Atmosphere& atmosphere, int width, int height);
+Image PaintSkyPanorama(const SkyLook& look, int width, int height);
 
 }  // namespace eod::sim

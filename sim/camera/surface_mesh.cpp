@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <map>
 #include <numbers>
+#include <set>
 #include <span>
 
 #include "sim/camera/noise.h"
@@ -38,7 +39,11 @@ class VisualWriter {
       vertex.normal[axis] = static_cast<int16_t>(std::lround(n_B[axis] * 32767.0));
       vertex.diffuse[axis] =
           ToByte(std::sqrt(std::max(static_cast<double>(material_.diffuse[axis]), 0.0)));
+      // Colour times light: a dark thing needs more of it to shine.
+      vertex.lamps[axis] = ToByte(std::sqrt(static_cast<double>(
+          material_.emissive[axis] / (kBrightest * std::max(material_.diffuse[axis], 0.05F)))));
     }
+    vertex.sky = 255;
     vertex.bone = static_cast<uint16_t>(bone_);
     vertex.uv[0] = static_cast<float>(metres.x() / tile);
     vertex.uv[1] = static_cast<float>(metres.y() / tile);
@@ -207,7 +212,34 @@ void WriteTriangles(std::span<const Eigen::Vector3f> corners, VisualWriter& writ
   }
 }
 
-/// Largest length of a shape along its own axes [m].
+/// The triangles with all corners within one cube of the grid moved to the first of them. Those
+/// that collapse, or fall onto another one, are left out.
+std::vector<Eigen::Vector3f> Clustered(std::span<const Eigen::Vector3f> corners, double side) {
+  std::map<std::array<int, 3>, Eigen::Vector3f> firsts;
+  std::map<std::array<int, 3>, int> numbers;  // of the cubes
+  std::set<std::array<int, 3>> seen;          // triangles, by the numbers of their cubes
+  std::vector<Eigen::Vector3f> result;
+  for (size_t i = 0; i + 2 < corners.size(); i += 3) {
+    std::array<Eigen::Vector3f, 3> triangle;
+    std::array<int, 3> cubes{};
+    for (size_t corner = 0; corner < 3; ++corner) {
+      const Eigen::Vector3f& p = corners[i + corner];
+      const Eigen::Array3i cube = (p.array() / static_cast<float>(side)).floor().cast<int>();
+      const std::array<int, 3> key{cube.x(), cube.y(), cube.z()};
+      triangle[corner] = firsts.try_emplace(key, p).first->second;
+      cubes[corner] = numbers.try_emplace(key, static_cast<int>(numbers.size())).first->second;
+    }
+    // Turned so that its smallest number comes first: a triangle seen from behind is another one.
+    std::ranges::rotate(cubes, std::ranges::min_element(cubes));
+    const bool collapsed = cubes[0] == cubes[1] || cubes[1] == cubes[2] || cubes[2] == cubes[0];
+    if (collapsed || !seen.insert(cubes).second) continue;
+    result.insert(result.end(), triangle.begin(), triangle.end());
+  }
+  return result;
+}
+
+}  // namespace
+
 double Extent(const Visual& visual) {
   switch (visual.shape) {
     case Visual::Shape::kBox:
@@ -220,10 +252,10 @@ double Extent(const Visual& visual) {
     case Visual::Shape::kMesh:
       break;
   }
-  return std::numeric_limits<double>::infinity();
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& corner : visual.triangles) box.extend(corner);
+  return box.isEmpty() ? 0 : static_cast<double>(box.sizes().maxCoeff());
 }
-
-}  // namespace
 
 void AppendVisual(const Visual& visual, const Eigen::Isometry3d& X_BO, int bone,
                   const Detail& detail, SurfaceMesh& mesh) {
@@ -239,6 +271,9 @@ void AppendVisual(const Visual& visual, const Eigen::Isometry3d& X_BO, int bone,
     case Visual::Shape::kSphere:
       return WriteSphere(visual.size.x(), visual.material.texture == "grass", detail, writer);
     case Visual::Shape::kMesh:
+      if (detail.cluster > 0) {
+        return WriteTriangles(Clustered(visual.triangles, detail.cluster), writer);
+      }
       return WriteTriangles(visual.triangles, writer);
   }
 }

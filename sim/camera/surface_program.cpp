@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <numbers>
+#include <string>
+
+#include <fmt/format.h>
 
 #include "sim/camera/shaders.h"
 
@@ -10,55 +13,92 @@ namespace {
 
 using Eigen::Matrix4f;
 using Eigen::Vector3f;
+using Eigen::Vector4f;
 
-constexpr float kSunStrength = 1.45F;
-constexpr float kSkyStrength = 0.62F;
+// How much of the sky wet surfaces mirror at a grazing angle: grass hardly, asphalt much.
+constexpr float kGroundSheen = 0.12F;
+constexpr float kSurfaceSheen = 0.75F;
 
 void UploadBones(const GlFunctions& gl, GLint location, const BonePalette& palette) {
   gl.Uniform4fv(location, static_cast<GLsizei>(palette.size()), palette.front().data());
 }
 
+std::string DefinesOf(const SurfaceFeatures& features) {
+  std::string defines;
+  if (features.is_ground) defines += "#define GROUND\n";
+  if (features.spots > 0) defines += fmt::format("#define SPOTS {}\n", features.spots);
+  if (features.is_wet) {
+    defines += fmt::format("#define WET {}\n", features.is_ground ? kGroundSheen : kSurfaceSheen);
+  }
+  if (features.is_infrared) defines += "#define INFRARED\n";
+  return defines;
+}
+
 }  // namespace
+
+BonePalette MakePalette(size_t bones) {
+  BonePalette palette(kBoneRows * bones);
+  for (size_t bone = 0; bone < bones; ++bone) {
+    SetBone(Eigen::Isometry3d::Identity(), bone, palette);
+    SetBoneLight({}, bone, palette);
+  }
+  return palette;
+}
 
 void SetBone(const Eigen::Isometry3d& X_MB, size_t bone, BonePalette& palette) {
   for (Eigen::Index row = 0; row < 3; ++row) {
-    palette.at(3 * bone + static_cast<size_t>(row)) =
+    palette.at(kBoneRows * bone + static_cast<size_t>(row)) =
         X_MB.matrix().row(row).transpose().cast<float>();
   }
 }
 
-void HideBone(size_t bone, BonePalette& palette) {
-  std::fill_n(palette.begin() + static_cast<std::ptrdiff_t>(3 * bone), 3, Eigen::Vector4f::Zero());
+void SetBoneLight(const PlaceLight& light, size_t bone, BonePalette& palette) {
+  palette.at(kBoneRows * bone + 3) << light.lamps, light.sky;
 }
 
-SurfaceProgram::SurfaceProgram(const GlFunctions& gl, Kind kind, const Atmosphere& atmosphere)
+Eigen::AlignedBox3f Placed(const Eigen::AlignedBox3f& box, size_t bone,
+                           const BonePalette& palette) {
+  const Vector3f centre = box.center();
+  const Vector3f half = box.sizes() / 2;
+  Vector3f middle;
+  Vector3f reach;
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    const Eigen::Vector4f& pose = palette.at(kBoneRows * bone + static_cast<size_t>(row));
+    middle[row] = pose.dot(centre.homogeneous());
+    reach[row] = pose.head<3>().cwiseAbs().dot(half);
+  }
+  return {middle - reach, middle + reach};
+}
+
+void HideBone(size_t bone, BonePalette& palette) {
+  std::fill_n(palette.begin() + static_cast<std::ptrdiff_t>(kBoneRows * bone), 3, Vector4f::Zero());
+}
+
+SurfaceProgram::SurfaceProgram(const GlFunctions& gl, const SurfaceFeatures& features)
     : gl_(&gl),
-      program_(MakeProgram(gl, kind == Kind::kGround ? "ground" : "surface", kSurfaceVertexShader,
-                           kSurfaceFragmentShader, kind == Kind::kGround ? "#define GROUND" : "")),
-      bones_(gl.GetUniformLocation(program_.id(), "u_bones")),
-      view_projection_(gl.GetUniformLocation(program_.id(), "u_view_projection")),
-      shadow_matrix_(gl.GetUniformLocation(program_.id(), "u_shadow_matrix")),
-      eye_(gl.GetUniformLocation(program_.id(), "u_eye")) {
-  const auto location = [&](const char* name) {
-    return gl.GetUniformLocation(program_.id(), name);
-  };
-  const auto set = [&](const char* name, const Vector3f& value) {
-    gl.Uniform3fv(location(name), 1, value.data());
+      is_infrared_(features.is_infrared),
+      program_(MakeProgram(gl, features.is_ground ? "ground" : "surface", kSurfaceVertexShader,
+                           kSurfaceFragmentShader, DefinesOf(features))) {
+  // In the order of Uniform; those that the features do not need are -1, which OpenGL passes over.
+  constexpr std::array<const char*, kUniforms> kNames{
+      "u_bones",      "u_view_projection", "u_shadow_matrix", "u_eye",
+      "u_to_sun",     "u_sun_light",       "u_sky_light",     "u_ground_light",
+      "u_fog_colour", "u_fog_density",     "u_wetness",       "u_sheen",
+      "u_spot_place", "u_spot_way",        "u_spot_light",    "u_spot_fade"};
+  std::transform(kNames.begin(), kNames.end(), locations_.begin(),
+                 [&](const char* name) { return gl.GetUniformLocation(program_.id(), name); });
+  const auto set_unit = [&](const char* name, GLenum unit) {
+    gl.Uniform1i(gl.GetUniformLocation(program_.id(), name),
+                 static_cast<GLint>(unit - GL_TEXTURE0));
   };
   gl.UseProgram(program_.id());
-  gl.Uniform1i(location("u_texture"), kTextureUnit - GL_TEXTURE0);
-  gl.Uniform1i(location("u_variation"), kVariationUnit - GL_TEXTURE0);
-  gl.Uniform1i(location("u_shadow"), kShadowUnit - GL_TEXTURE0);
-  set("u_to_sun", atmosphere.sun_direction.normalized());
-  set("u_sun_light", atmosphere.sun_colour * kSunStrength);
-  // Light from above is the sky's own colour paled by clouds; from below, what grass gives back.
-  set("u_sky_light", (0.5F * atmosphere.sky_colour + Vector3f::Constant(0.34F)) * kSkyStrength);
-  set("u_ground_light", Vector3f(0.20F, 0.20F, 0.15F));
-  set("u_fog_colour", atmosphere.fog_colour);
-  gl.Uniform1f(location("u_fog_density"), atmosphere.fog_density * std::numbers::log2e_v<float>);
+  set_unit("u_texture", kTextureUnit);
+  set_unit("u_variation", kVariationUnit);
+  set_unit("u_shadow", kShadowUnit);
 }
 
-void SurfaceProgram::Use(const View& camera, const View& sun) const {
+void SurfaceProgram::Use(const View& camera, const View& sun, const Lighting& lighting,
+                         std::span<const ShiningSpot> spots) const {
   // Clip space of the sun, -1..1, to texture coordinates, 0..1.
   Eigen::Matrix4d texture_clip = Eigen::Matrix4d::Identity() * 0.5;
   texture_clip.topRightCorner<3, 1>().setConstant(0.5);
@@ -67,13 +107,49 @@ void SurfaceProgram::Use(const View& camera, const View& sun) const {
   const Matrix4f shadow = (texture_clip * sun.clip).cast<float>();
   const Vector3f eye = camera.p_ME.cast<float>();
   gl_->UseProgram(program_.id());
-  gl_->UniformMatrix4fv(view_projection_, 1, GL_FALSE, clip.data());
-  gl_->UniformMatrix4fv(shadow_matrix_, 1, GL_FALSE, shadow.data());
-  gl_->Uniform3fv(eye_, 1, eye.data());
+  gl_->UniformMatrix4fv(locations_[kViewProjection], 1, GL_FALSE, clip.data());
+  gl_->UniformMatrix4fv(locations_[kShadowMatrix], 1, GL_FALSE, shadow.data());
+  gl_->Uniform3fv(locations_[kEye], 1, eye.data());
+  SetLight(lighting);
+  if (!spots.empty()) SetSpots(spots);
+}
+
+void SurfaceProgram::SetLight(const Lighting& lighting) const {
+  const auto set = [this](Uniform uniform, const Vector3f& value) {
+    gl_->Uniform3fv(locations_[uniform], 1, value.data());
+  };
+  const Vector3f fog =
+      is_infrared_ ? Vector3f::Constant(lighting.fog_colour.mean()) : lighting.fog_colour;
+  set(kToSun, lighting.to_sun);
+  set(kSunLight, lighting.sun_light);
+  set(kSkyLight, lighting.sky_light);
+  set(kGroundLight, lighting.ground_light);
+  set(kFogColour, fog);
+  set(kSheen, lighting.fog_colour.cwiseAbs2());
+  gl_->Uniform1f(locations_[kWetness], lighting.wetness);
+  gl_->Uniform1f(locations_[kFogDensity], lighting.fog_density * std::numbers::log2e_v<float>);
+}
+
+void SurfaceProgram::SetSpots(std::span<const ShiningSpot> spots) const {
+  std::array<Vector4f, kMaxSpots> place, way, light;
+  std::array<Vector3f, kMaxSpots> fade;
+  for (size_t i = 0; i < spots.size(); ++i) {
+    const ShiningSpot& spot = spots[i];
+    const Falloff& falloff = spot.light.falloff;
+    place.at(i) << spot.p_M, static_cast<float>(1 / (falloff.range * falloff.range));
+    way.at(i) << spot.direction, spot.dark_cosine;
+    light.at(i) << spot.light.colour, 1 / (spot.bright_cosine - spot.dark_cosine);
+    fade.at(i) = Eigen::Vector3d(falloff.constant, falloff.linear, falloff.quadratic).cast<float>();
+  }
+  const auto count = static_cast<GLsizei>(spots.size());
+  gl_->Uniform4fv(locations_[kSpotPlace], count, place.front().data());
+  gl_->Uniform4fv(locations_[kSpotWay], count, way.front().data());
+  gl_->Uniform4fv(locations_[kSpotLight], count, light.front().data());
+  gl_->Uniform3fv(locations_[kSpotFade], count, fade.front().data());
 }
 
 void SurfaceProgram::SetBones(const BonePalette& palette) const {
-  UploadBones(*gl_, bones_, palette);
+  UploadBones(*gl_, locations_[kBones], palette);
 }
 
 ShadowProgram::ShadowProgram(const GlFunctions& gl)

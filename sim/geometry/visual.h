@@ -17,6 +17,7 @@ struct Material {
   std::string texture = "plain";
   float texture_scale_m = 1.0F;  ///< size of one texture tile on the surface
   float specular = 0.05F;        ///< 0..1
+  Eigen::Vector3f emissive = Eigen::Vector3f::Zero();  ///< linear 0..1: light of its own
 };
 
 /// A shape to draw, posed in its owner's frame (link or world object).

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -15,6 +16,17 @@ Eigen::Isometry3d ForwardAlongY(const Eigen::Isometry3d& X_LS) {
   return X_LS * Eigen::AngleAxisd(-std::numbers::pi / 2, Eigen::Vector3d::UnitZ());
 }
 
+void ReadZoom(const SdfCamera& camera, CameraSpec& spec) {
+  AllowElements(camera.customs, {"zoom"}, "camera " + camera.name);
+  const CustomElement* zoom = FindElement(camera.customs, "zoom");
+  if (zoom == nullptr) return;
+  zoom->AllowAttributes({"narrowest_deg", "factor_per_s"});
+  const double widest_deg = spec.horizontal_fov * 180 / std::numbers::pi;
+  const double narrowest = zoom->Number("narrowest_deg", 0.5, widest_deg) * std::numbers::pi / 180;
+  spec.zoom_most = std::tan(spec.horizontal_fov / 2) / std::tan(narrowest / 2);
+  spec.zoom_per_s = zoom->Number("factor_per_s", 1.01, 100);
+}
+
 CameraSpec ToCameraSpec(const SdfCamera& camera, int link, const std::filesystem::path& file) {
   if (camera.width < 16 || camera.width > 4096 || camera.height < 16 || camera.height > 4096) {
     FailAt(file, camera.line,
@@ -25,13 +37,15 @@ CameraSpec ToCameraSpec(const SdfCamera& camera, int link, const std::filesystem
     FailAt(file, camera.line,
            fmt::format("camera {}: near {} m, allowed 0.005..1", camera.name, camera.near));
   }
-  return {.name = camera.name,
-          .link = link,
-          .X_LC = ForwardAlongY(camera.X_LS),
-          .horizontal_fov = camera.horizontal_fov,
-          .near = camera.near,
-          .width = camera.width,
-          .height = camera.height};
+  CameraSpec spec{.name = camera.name,
+                  .link = link,
+                  .X_LC = ForwardAlongY(camera.X_LS),
+                  .horizontal_fov = camera.horizontal_fov,
+                  .near = camera.near,
+                  .width = camera.width,
+                  .height = camera.height};
+  ReadZoom(camera, spec);
+  return spec;
 }
 
 void ReadChassis(const SdfModel& sdf, RobotModel& model) {
@@ -75,6 +89,9 @@ void ReadLinkContents(const SdfLink& link, int index, RobotModel& model) {
   }
   for (const SdfCamera& camera : link.cameras) {
     model.cameras.push_back(ToCameraSpec(camera, index, model.file));
+  }
+  for (const SdfLight& light : link.lights) {
+    model.lights.push_back(ReadLight(light, index, model.file));
   }
   for (const SdfVisual& visual : link.visuals) {
     model.visuals.push_back({.link = index, .visual = visual.visual});

@@ -13,6 +13,7 @@
 
 #include "sim/geometry/visual.h"
 #include "sim/robot/motion_id.h"
+#include "sim/robot/robot_lights.h"
 #include "sim/robot/robot_state.h"
 #include "sim/segments/isector_method.h"
 #include "sim/segments/segment.h"
@@ -145,6 +146,10 @@ struct CameraSpec {
   Eigen::Isometry3d X_LC = Eigen::Isometry3d::Identity();
   double horizontal_fov = 1.3;  ///< [rad]
   double near = 0.06;           ///< [m] what is nearer is not seen
+  /// Magnification of the lens when zoomed in, 1: it does not zoom. The angle of view shrinks by
+  /// tan(fov / 2) = tan(horizontal_fov / 2) / magnification.
+  double zoom_most = 1;
+  double zoom_per_s = 1;  ///< factor by which the magnification grows in a second
   int width = 640;
   int height = 480;
 };
@@ -163,6 +168,7 @@ struct RobotModel {
   std::array<JointSpec, kJointCount> joints;
   std::vector<IsectorSpec> isectors;
   std::vector<CameraSpec> cameras;
+  std::vector<SpotLightSpec> lights;
   std::vector<LinkVisual> visuals;
   std::array<double, 3> drive_speed{};  ///< [m/s] creep, low, high
   double track = 0.6;                   ///< [m] between the middles of the tracks

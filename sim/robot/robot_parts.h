@@ -35,6 +35,9 @@ BatterySpec ReadBattery(const SdfModel& sdf);
 /// `model.step_up_limit` above to `model.fall_search` below.
 IsectorSpec ReadIsector(const CustomElement& element, int link, const RobotModel& model);
 
+/// A spot light of link `link`, with `<eod:lamp>`.
+SpotLightSpec ReadLight(const SdfLight& light, int link, const std::filesystem::path& file);
+
 /// The `<eod:stance>` of a robot whose links are known. Throws too if a tilted outline or a number
 /// is none.
 StanceSpec ReadStance(const SdfModel& sdf, const RobotModel& model);

@@ -32,6 +32,9 @@ constexpr std::array<std::string_view, 5> kClasses = {"bump", "clamp", "bomb", "
 constexpr std::array<uint32_t, 5> kClassBits = {kBumpProxy, kClampProxy, kBombObject,
                                                 kMovableObject, kContainmentVessel};
 
+// In the order of SpotLightSpec::Switch.
+constexpr std::array<std::string_view, 3> kSwitches = {"drive", "gripper", "infrared"};
+
 constexpr std::array<std::string_view, 2> kFlags = {"false", "true"};
 
 /// Index of `text`, a word of the attribute, in `words`.
@@ -107,6 +110,10 @@ uint32_t ClassesOf(const CustomElement& element, const std::string& attribute) {
                              fmt::join(kClasses, ", ")));
   }
   return classes;
+}
+
+SpotLightSpec::Switch SwitchOf(const CustomElement& element, const std::string& attribute) {
+  return static_cast<SpotLightSpec::Switch>(IndexOf(element, attribute, kSwitches));
 }
 
 bool FlagOf(const CustomElement& element, const std::string& attribute, bool missing) {

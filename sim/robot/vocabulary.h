@@ -28,6 +28,9 @@ HitRule HitRuleOf(const CustomElement& element, const std::string& attribute);
 /// "bump clamp bomb movable vessel", or some of these: their bits in object_class.h.
 uint32_t ClassesOf(const CustomElement& element, const std::string& attribute);
 
+/// "drive", "gripper", "infrared".
+SpotLightSpec::Switch SwitchOf(const CustomElement& element, const std::string& attribute);
+
 /// "true", "false"; `missing` without the attribute.
 bool FlagOf(const CustomElement& element, const std::string& attribute, bool missing);
 

@@ -42,6 +42,9 @@ namespace eod::sim {
 ///   joint      <eod:motion index positive negative home_deg|home_m accel_deg_per_s2|accel_mps2/>:
 ///              this is J1..J9, and the two motions that move it; <eod:follows joint scale hand/>:
 ///              moved by another joint
+///   light      <eod:lamp switch="drive|gripper|infrared"/>: of the robot: what turns it on
+///   sensor     <eod:zoom narrowest_deg="6" factor_per_s="1.8"/>: the camera zooms from its
+///              horizontal_fov to that angle, its magnification growing by the factor each second
 ///   link       <eod:isector name method part motions pose coverage face hit classes> with
 ///              <eod:segment name start direction length d0 skin motions blocks enabled/>:
 ///              `motions` (loaded for) and `blocks` (may stop) are "M01 M03", "all" or "always";

@@ -97,10 +97,14 @@ const sdf::World& OnlyWorld(const std::filesystem::path& file, const sdf::Root& 
   FailAt(file, 1, fmt::format("holds {} <world>, needs one", root.WorldCount()));
 }
 
-void ReadAir(const sdf::World& world, SdfWorld& result) {
-  for (uint64_t i = 0; i < world.LightCount() && !result.sun; ++i) {
+void ReadAir(const sdf::World& world, const std::filesystem::path& file, SdfWorld& result) {
+  for (uint64_t i = 0; i < world.LightCount(); ++i) {
     const sdf::Light& light = *world.LightByIndex(i);
-    if (light.Type() != sdf::LightType::DIRECTIONAL) continue;
+    if (light.Type() != sdf::LightType::DIRECTIONAL) {
+      result.lights.push_back(ToLight(light, true, file));
+      continue;
+    }
+    if (result.sun) continue;
     const auto direction = light.Direction().Normalized();
     result.sun = SdfSun{
         .direction = Eigen::Vector3d(direction.X(), direction.Y(), direction.Z()).cast<float>(),
@@ -122,6 +126,7 @@ SdfWorld ReadSurroundings(const sdf::World& world, const std::filesystem::path& 
                   .frames = {},
                   .models = {},
                   .sun = {},
+                  .lights = {},
                   .background = {},
                   .fog = {},
                   .customs = CustomsOf(world.Element(), file)};
@@ -130,7 +135,7 @@ SdfWorld ReadSurroundings(const sdf::World& world, const std::filesystem::path& 
     result.frames.push_back(
         {frame.Name(), Resolve(frame.SemanticPose(), "world", frame.Element(), file)});
   }
-  ReadAir(world, result);
+  ReadAir(world, file, result);
   return result;
 }
 

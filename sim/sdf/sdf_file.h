@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "sim/geometry/light_source.h"
 #include "sim/geometry/mesh.h"
 #include "sim/geometry/primitive.h"
 #include "sim/geometry/visual.h"
@@ -41,6 +42,21 @@ struct SdfCamera {
   double near = 0;            ///< [m] what is nearer is not seen
   int width = 0;
   int height = 0;
+  std::vector<CustomElement> customs;
+};
+
+/// A point or spot light of a link or of the world.
+struct SdfLight {
+  std::string name;
+  int line = 0;
+  bool is_spot = false;
+  std::string relative_to;  ///< of a light of the world: frame that X_FS is given in
+  Eigen::Isometry3d X_FS = Eigen::Isometry3d::Identity();  ///< a link's light: in the link's frame
+  Eigen::Vector3d direction = -Eigen::Vector3d::UnitZ();   ///< of a spot, in S, unit
+  LampLight light;
+  double inner_angle = 0;  ///< [rad] full angle of a spot's bright cone, and ...
+  double outer_angle = 0;  ///< [rad] ... of the cone beyond which it is dark
+  std::vector<CustomElement> customs;
 };
 
 struct SdfLink {
@@ -52,6 +68,7 @@ struct SdfLink {
   std::vector<SdfVisual> visuals;
   std::vector<SdfCollision> collisions;
   std::vector<SdfCamera> cameras;
+  std::vector<SdfLight> lights;
   std::vector<CustomElement> customs;
 };
 
@@ -100,7 +117,8 @@ struct SdfWorld {
   int line = 0;
   std::vector<SdfFrame> frames;
   std::vector<SdfModel> models;
-  std::optional<SdfSun> sun;  ///< first directional light
+  std::optional<SdfSun> sun;     ///< first directional light
+  std::vector<SdfLight> lights;  ///< all but directional ones
   std::optional<Eigen::Vector3f> background;
   std::optional<SdfFog> fog;
   std::vector<CustomElement> customs;

@@ -90,7 +90,26 @@ SdfCamera ToCamera(const sdf::Sensor& sensor, const std::filesystem::path& file)
           .horizontal_fov = camera->HorizontalFov().Radian(),
           .near = camera->NearClip(),
           .width = static_cast<int>(camera->ImageWidth()),
-          .height = static_cast<int>(camera->ImageHeight())};
+          .height = static_cast<int>(camera->ImageHeight()),
+          .customs = CustomsOf(sensor.Element(), file)};
+}
+
+void CheckLight(const SdfLight& light, const std::filesystem::path& file) {
+  const Falloff& falloff = light.light.falloff;
+  const auto check = [&](bool is_good, const char* what) {
+    if (!is_good) FailAt(file, light.line, fmt::format("light {}: {}", light.name, what));
+  };
+  check(falloff.range > 0 && falloff.range <= 1000, "<range> allowed 0..1000 m, not 0");
+  check(falloff.constant >= 0 && falloff.linear >= 0 && falloff.quadratic >= 0,
+        "<constant>, <linear>, <quadratic> must not be negative");
+  check(falloff.constant > 0 || falloff.linear > 0 || falloff.quadratic > 0,
+        "one of <constant>, <linear>, <quadratic> must be positive");
+  check((light.light.colour.array() >= 0).all(), "<intensity> must not be negative");
+  if (!light.is_spot) return;
+  check(light.outer_angle > 0 && light.outer_angle < 3.1, "<outer_angle> allowed 0..3.1, not 0");
+  check(light.inner_angle >= 0 && light.inner_angle < light.outer_angle,
+        "<inner_angle> must be smaller than <outer_angle>");
+  check(light.direction.norm() > 1e-6, "<direction> must not be zero");
 }
 
 SdfJoint ToJoint(const sdf::Joint& joint, const std::filesystem::path& file) {
@@ -149,6 +168,29 @@ Eigen::Isometry3d Resolve(const sdf::SemanticPose& pose, const std::string& fram
   return ToIsometry(resolved);
 }
 
+SdfLight ToLight(const sdf::Light& light, bool is_of_world, const std::filesystem::path& file) {
+  const auto direction = light.Direction();
+  SdfLight result{
+      .name = light.Name(),
+      .line = LineOf(light.Element()),
+      .is_spot = light.Type() == sdf::LightType::SPOT,
+      .relative_to = is_of_world ? light.PoseRelativeTo() : "",
+      .X_FS = is_of_world ? ToIsometry(light.RawPose())
+                          : Resolve(light.SemanticPose(), "", light.Element(), file),
+      .direction = {direction.X(), direction.Y(), direction.Z()},
+      .light = {.colour = ToColour(light.Diffuse()) * static_cast<float>(light.Intensity()),
+                .falloff = {.range = light.AttenuationRange(),
+                            .constant = light.ConstantAttenuationFactor(),
+                            .linear = light.LinearAttenuationFactor(),
+                            .quadratic = light.QuadraticAttenuationFactor()}},
+      .inner_angle = light.SpotInnerAngle().Radian(),
+      .outer_angle = light.SpotOuterAngle().Radian(),
+      .customs = CustomsOf(light.Element(), file)};
+  CheckLight(result, file);
+  result.direction.normalize();
+  return result;
+}
+
 SdfLink ToLink(const sdf::Link& link, const std::filesystem::path& file) {
   SdfLink result{.name = link.Name(),
                  .line = LineOf(link.Element()),
@@ -158,6 +200,7 @@ SdfLink ToLink(const sdf::Link& link, const std::filesystem::path& file) {
                  .visuals = {},
                  .collisions = {},
                  .cameras = {},
+                 .lights = {},
                  .customs = CustomsOf(link.Element(), file)};
   // Without <inertial>, libsdformat would have it weigh 1 kg.
   if (link.Element()->HasElement("inertial")) {
@@ -172,6 +215,9 @@ SdfLink ToLink(const sdf::Link& link, const std::filesystem::path& file) {
   }
   for (uint64_t i = 0; i < link.SensorCount(); ++i) {
     result.cameras.push_back(ToCamera(*link.SensorByIndex(i), file));
+  }
+  for (uint64_t i = 0; i < link.LightCount(); ++i) {
+    result.lights.push_back(ToLight(*link.LightByIndex(i), false, file));
   }
   return result;
 }

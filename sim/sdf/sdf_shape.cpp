@@ -105,6 +105,7 @@ Material ToMaterial(const sdf::Material* material, const CustomElement* surface)
   if (material != nullptr) {
     result.diffuse = ToColour(material->Diffuse());
     result.specular = material->Specular().R();
+    result.emissive = ToColour(material->Emissive());
   }
   if (surface != nullptr) {
     surface->AllowAttributes({"texture", "tile"});

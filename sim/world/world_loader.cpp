@@ -77,6 +77,16 @@ void AddModel(const SdfModel& model, const std::filesystem::path& file, ModuleMo
   }
 }
 
+void AddLamp(const SdfLight& light, const std::filesystem::path& file, ModuleModel& module) {
+  AllowElements(light.customs, {}, "light " + light.name);
+  if (light.is_spot) {
+    FailAt(file, light.line,
+           fmt::format("light {}: of the world, only directional and point are supported", light.name));
+  }
+  module.lamps.push_back(
+      {.name = light.name, .p_M = light.X_FS.translation(), .light = light.light});
+}
+
 Atmosphere ReadAtmosphere(const SdfWorld& sdf) {
   Atmosphere air;
   if (sdf.sun) {
@@ -114,17 +124,16 @@ WorldModel LoadWorld(const std::filesystem::path& file) {
     if (same > 1) element.Fail(fmt::format("second module {}", framed.back().module.id));
   }
   if (framed.empty()) FailAt(file, sdf.line, "world needs an <eod:module>");
-  for (const SdfModel& model : sdf.models) {
-    const auto owner =
-        std::find_if(framed.begin(), framed.end(),
-                     [&model](const FramedModule& one) { return one.frame == model.relative_to; });
-    if (owner == framed.end()) {
-      FailAt(
-          file, model.line,
-          fmt::format("model {}: its <pose> needs relative_to=\"FRAME\" of a module", model.name));
-    }
-    AddModel(model, file, owner->module);
-  }
+  const auto owner_of = [&](const auto& one, const char* kind) -> ModuleModel& {
+    const auto owner = std::find_if(framed.begin(), framed.end(), [&](const FramedModule& module) {
+      return module.frame == one.relative_to;
+    });
+    if (owner != framed.end()) return owner->module;
+    FailAt(file, one.line,
+           fmt::format("{} {}: its <pose> needs relative_to=\"FRAME\" of a module", kind, one.name));
+  };
+  for (const SdfModel& model : sdf.models) AddModel(model, file, owner_of(model, "model"));
+  for (const SdfLight& light : sdf.lights) AddLamp(light, file, owner_of(light, "light"));
   WorldModel world{.file = file, .modules = {}, .atmosphere = ReadAtmosphere(sdf)};
   for (FramedModule& one : framed) world.modules.push_back(std::move(one.module));
   return world;

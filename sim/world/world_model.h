@@ -10,6 +10,7 @@
 
 #include <Eigen/Geometry>
 
+#include "sim/geometry/light_source.h"
 #include "sim/geometry/pose.h"
 #include "sim/geometry/visual.h"
 #include "sim/segments/block_tree.h"
@@ -64,6 +65,13 @@ struct VesselSpec {
   double rim_z = 0;  ///< [m] upper end of the drum, roof of the chamber
 };
 
+/// A lamp that stands fast: a street lamp, one on a ceiling.
+struct Lamp {
+  std::string name;
+  Eigen::Vector3d p_M = Eigen::Vector3d::Zero();
+  LampLight light;
+};
+
 /// One training area with a local origin of its own, so that millimetres survive 1.5 km away from
 /// the world's origin.
 struct ModuleModel {
@@ -78,6 +86,7 @@ struct ModuleModel {
   std::vector<CollisionTriangle> triangles;
   std::vector<MovableObject> movables;
   std::vector<VesselSpec> vessels;
+  std::vector<Lamp> lamps;
 };
 
 /// Light and air for the cameras.

@@ -38,7 +38,7 @@ _SIM_STAGES = {
                   "sim/task"],
     "sim/alarms": ["sim/geometry", "sim/rules", "sim/scenario", "sim/disposal", "sim/segments", "sim/robot", "sim/world", "sim/motion", "sim/isectors",
                    "sim/response", "sim/task"],
-    "sim/camera": ["sim/geometry", "sim/robot", "sim/world", "sim/plume", "platform"],
+    "sim/camera": ["sim/geometry", "sim/segments", "sim/robot", "sim/world", "sim/plume", "platform"],
 }
 
 # Folder to the folders that it may include, itself always among them. A folder that is not here

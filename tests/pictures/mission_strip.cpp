@@ -10,6 +10,7 @@
 #include "recorder/typeface.h"
 #include "sim/score/report.h"
 #include "tests/scenario/mission.h"
+#include "tests/unit/camera/conditions.h"
 #include "tests/unit/camera/offline_camera.h"
 
 namespace eod {
@@ -32,6 +33,7 @@ struct Options {
   std::vector<std::string> moments;
   std::string states;  // file for the states of every step; none if empty
   std::string report;  // folder for the score; none if empty
+  std::string weather;  // as the scenario has it if empty
   int columns = 3;
 };
 
@@ -87,6 +89,7 @@ void Run(const Options& options) {
   const TimePoint start = mission.rig().now();
   for (size_t i = 0; i < moments.size(); ++i) {
     while (ToSeconds(mission.rig().now() - start) < moments[i].seconds) mission.Tick();
+    if (!options.weather.empty()) scene.weather = sim::ParseWeather(options.weather);
     DrawTile(ToPicture(camera, camera.Take(scene, moments[i].camera)), moments[i], i,
              options.columns, faces, sheet);
   }
@@ -114,6 +117,8 @@ int main(int argc, char** argv) {
       ->required();
   app.add_option("--states", options.states, "write every state of the run there, as CSV");
   app.add_option("--report", options.report, "write the score of the run into this folder");
+  app.add_option("--weather", options.weather,
+                 "day|dusk|night[,fog=METRES][,rain=MM_PER_H] instead of the scenario's");
   app.add_option("--columns", options.columns)->check(CLI::Range(1, 8));
   app.add_option("--output", options.output);
   CLI11_PARSE(app, argc, argv);

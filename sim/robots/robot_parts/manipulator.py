@@ -5,6 +5,7 @@ from sdf_writer import Link, box, cylinder
 from .cameras import camera
 from .dimensions import ALONG_X, ALONG_Y, BIG_ARM, FINGER, PAD_DEPTH, SMALL_ARM
 from .isectors import isector, segment
+from .lights import wrist_lights
 from .surfaces import GREY, HAZARD, LENS, OLIVE, OLIVE_DARK, ORANGE, PAD, STEEL
 
 
@@ -33,6 +34,7 @@ def arms():
     # It sees the fingers in whole length even when they are open, and the foot of what stands between
     # them. A charge between them comes as near as 0.03 m.
     wrist.parts += camera("gripper", 72, (0, 0.067, 0.065), down_deg=12, near=0.02)
+    wrist.parts += wrist_lights()
     return [big, small, wrist]
 
 

@@ -5,6 +5,7 @@ from sdf_writer import Link, box, cylinder, mesh, pose, sphere
 from .cameras import camera
 from .dimensions import ALONG_X, ALONG_Y, AXLE_Y, AXLE_Z, FLIPPER, TRACK_X, WHEEL
 from .isectors import chassis_isectors
+from .lights import chassis_lights
 from .surfaces import (GREY, HAZARD, LAMP, LENS, OLIVE, OLIVE_DARK, ORANGE, PAD, RUBBER, STEEL,
                        TAIL_LAMP)
 
@@ -49,6 +50,7 @@ def chassis():
     rear = camera("rear", 75, (0, -0.45, 0.40))
     link.parts += [line.replace(pose((0, -0.45, 0.40), (0, 0, 90))[0],
                                 pose((0, -0.45, 0.40), (0, 0, -90))[0]) for line in rear]
+    link.parts += chassis_lights()
     return link
 
 

@@ -1,5 +1,7 @@
 // Writes one picture of a camera for a given robot state, to be looked at.
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <numbers>
@@ -14,6 +16,7 @@
 #include "sim/isectors/isector_set.h"
 #include "sim/plume/explosion.h"
 #include "sim/rules/rules.h"
+#include "tests/unit/camera/conditions.h"
 #include "tests/unit/camera/fixture_scene.h"
 #include "tests/unit/camera/offline_camera.h"
 
@@ -37,7 +40,16 @@ struct Options {
   std::vector<double> blast;        // x y seconds
   bool is_destroyed = false;
   std::string rules = EOD_DATA_DIR "/sim/rules/eod_rules.toml";
+  std::string weather = "day";
+  std::string lights;
   std::vector<int> motions;  // 1 is M01: draw the isectors that these load
+  bool is_bare = false;      // the scene alone
+  bool no_osd = false;
+  double zoom = 1;
+  float link_quality = 1;
+  double seconds = 51803.4;         // time of day
+  std::vector<std::string> faults;  // mast=dead
+  std::string gl = "osmesa";
 };
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -105,6 +117,20 @@ void AddIsectors(const std::vector<int>& motions, const RobotModel& robot,
   }
 }
 
+void AddFaults(const std::vector<std::string>& faults, SceneSnapshot& snapshot) {
+  for (const std::string& text : faults) {
+    const size_t equals = text.find('=');
+    const std::string kind = text.substr(equals + 1);
+    CameraFault fault;
+    fault.camera = text.substr(0, equals);
+    if (kind == "frozen") fault.kind = CameraFault::Kind::kFrozen;
+    if (kind == "noisy") fault.kind = CameraFault::Kind::kNoisy;
+    if (kind == "light" || kind == "dark") fault.kind = CameraFault::Kind::kWrongLight;
+    if (kind == "dark") fault.stops = -3;
+    snapshot.faults.push_back(fault);
+  }
+}
+
 void WritePng(const std::string& file, const OfflineCamera& camera,
               const std::vector<uint8_t>& rgba) {
   png_image image{};
@@ -124,6 +150,8 @@ void Run(const Options& options) {
   WorldModel world = options.fixture ? FixtureWorld() : LoadWorld(options.world);
   SceneSnapshot snapshot;
   snapshot.module = options.module;
+  snapshot.weather = ParseWeather(options.weather);
+  snapshot.lights = ParseLights(options.lights);
   snapshot.state = HomeState(robot);
   snapshot.state.position = {options.x, options.y, 0};
   snapshot.state.attitude.heading = options.heading_deg * kDegree;
@@ -140,10 +168,21 @@ void Run(const Options& options) {
     AddIsectors(options.motions, robot, world.Module(options.module), snapshot);
   }
   if (!options.view.empty()) AddFreeCamera(options.view, snapshot.state, robot);
-  OfflineCamera camera(robot, world, options.width, options.height);
-  JpegEncoder encoder(options.width, options.height, 80);
+  snapshot.zoom = options.zoom;
+  snapshot.link_quality = options.link_quality;
+  snapshot.time += std::chrono::milliseconds(std::lround(1000 * options.seconds));
+  AddFaults(options.faults, snapshot);
+  OfflineCamera camera(robot, world, options.width, options.height,
+                       options.gl == "egl" ? GlBackend::kEgl : GlBackend::kOsMesa, !options.no_osd);
+  JpegEncoder encoder(options.width, options.height,
+                      PictureLink::JpegQuality(options.link_quality, 80));
+  const std::string name = options.view.empty() ? options.camera : std::string("free");
+  // What the link loses shows what came before.
+  SceneSnapshot before = snapshot;
+  before.time -= std::chrono::milliseconds(40);
+  if (options.link_quality < 1) camera.TakeFinished(before, name);
   const auto& pixels =
-      camera.Take(snapshot, options.view.empty() ? options.camera : std::string("free"));
+      options.is_bare ? camera.Take(snapshot, name) : camera.TakeFinished(snapshot, name);
   const auto jpeg = encoder.Encode(pixels);
   if (options.output.ends_with(".png")) {
     WritePng(options.output, camera, pixels);
@@ -180,8 +219,18 @@ int main(int argc, char** argv) {
       ->expected(5);
   app.add_option("--blast", options.blast, "explosion: x y [m], seconds ago")->expected(3);
   app.add_flag("--destroyed", options.is_destroyed, "the explosion destroyed the robot");
+  app.add_flag("--bare", options.is_bare, "the scene alone, without sensor, data and link");
+  app.add_flag("--no-osd", options.no_osd, "no data in the picture");
+  app.add_option("--zoom", options.zoom, "magnification of cameras that zoom");
+  app.add_option("--link-quality", options.link_quality, "0..1");
+  app.add_option("--seconds", options.seconds,
+                 "time of day [s]: rain falls and noise changes with it");
+  app.add_option("--fault", options.faults, "CAMERA=dead|frozen|noisy|light|dark");
+  app.add_option("--gl", options.gl, "osmesa or egl");
   app.add_option("--motions", options.motions, "draw the isectors that these load: 1 is M01")
       ->check(CLI::Range(1, eod::sim::kMotionCount));
+  app.add_option("--weather", options.weather, "day|dusk|night[,fog=METRES][,rain=MM_PER_H]");
+  app.add_option("--lights", options.lights, "some of drive,gripper,infrared");
   app.add_option("--view", options.view, "free camera: x y z heading_deg pitch_deg")->expected(5);
   CLI11_PARSE(app, argc, argv);
   try {

@@ -1,8 +1,10 @@
 #include <memory>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sim/camera/surface_program.h"
 #include "tests/unit/camera/fixture_scene.h"
 #include "tests/unit/camera/offline_camera.h"
 #include "tests/unit/camera/picture_statistics.h"
@@ -113,10 +115,11 @@ TEST_F(MovablePictures, TakeTheirShadowsAlong) {
 
 TEST_F(MovablePictures, TooManyAreAnErrorOfOneLine) {
   WorldModel world = FixtureWorld();
-  world.modules[0].movables.assign(65, BlueDrum(0, 0));
-  EXPECT_THAT([&] { OfflineCamera(*robot_, world, kWidth, kHeight); },
-              ThrowsMessage<std::runtime_error>(
-                  "fixture_world.sdf: module flat: 65 movable objects, cameras can show 64"));
+  world.modules[0].movables.assign(kMaxBones, BlueDrum(0, 0));
+  EXPECT_THAT([&] { OfflineCamera(*robot_, world, kWidth, kHeight).Take({}, "drive"); },
+              ThrowsMessage<std::runtime_error>(fmt::format(
+                  "fixture_world.sdf: module flat: {} movable objects, cameras can show {}",
+                  kMaxBones, kMaxBones - 1)));
 }
 
 TEST_F(MovablePictures, UnknownTextureNamesTheOwner) {

@@ -49,7 +49,7 @@ TEST(SkyPanorama, SunStandsWhereItsLightComesFrom) {
   air.sun_direction = Vector3f(1, 0, 1).normalized();
   constexpr int kWidth = 512;
   constexpr int kHeight = 256;
-  const Image sky = PaintSkyPanorama(air, kWidth, kHeight);
+  const Image sky = PaintSkyPanorama(LightingOf(air, {}).sky, kWidth, kHeight);
   const auto brightness = [&](float u, float elevation) {
     const int x = static_cast<int>(u * kWidth);
     const int y = static_cast<int>(PanoramaRow(elevation) * kHeight);

@@ -130,7 +130,9 @@ TEST(PictureInterval, GivesTheFullRateToTheChosenCameraAndItsCompanion) {
     return std::array{PictureInterval(choice, "drive"), PictureInterval(choice, "gripper"),
                       PictureInterval(choice, "mast"), PictureInterval(choice, "rear")};
   };
-  EXPECT_EQ(intervals(0), (std::array{2, 2, 2, 2})) << "quad";
+  EXPECT_EQ(intervals(0), (std::array{0, 0, 0, 0})) << "quad";
+  EXPECT_EQ(PictureInterval(0, "quad"), 1);
+  EXPECT_EQ(PictureInterval(1, "quad"), 0);
   EXPECT_EQ(intervals(1), (std::array{1, 0, 1, 0})) << "drive, and the mast";
   EXPECT_EQ(intervals(2), (std::array{0, 1, 1, 0})) << "gripper, and the mast";
   EXPECT_EQ(intervals(3), (std::array{1, 0, 1, 0})) << "mast, and drive";

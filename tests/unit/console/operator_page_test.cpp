@@ -12,11 +12,11 @@
 namespace eod::console {
 namespace {
 
-TEST(OperatorPage, ShowsTheTwoCamerasThatTheSimulatorSendsAtTheFullRate) {
-  for (const int choice : {1, 2, 3, 4}) {
+TEST(OperatorPage, ShowsThePicturesThatTheSimulatorSendsAtTheFullRate) {
+  for (const int choice : {0, 1, 2, 3, 4}) {
     const Shown shown = ShownFor(choice);
     EXPECT_NE(shown.chosen, shown.beside);
-    for (const std::string_view camera : {"drive", "mast", "gripper", "rear"}) {
+    for (const std::string_view camera : {"drive", "mast", "gripper", "rear", "quad"}) {
       const bool is_shown = camera == shown.chosen || camera == shown.beside;
       EXPECT_EQ(sim::PictureInterval(choice, camera), is_shown ? 1 : 0) << choice << " " << camera;
     }
@@ -24,6 +24,7 @@ TEST(OperatorPage, ShowsTheTwoCamerasThatTheSimulatorSendsAtTheFullRate) {
 }
 
 TEST(OperatorPage, ShowsTheChosenCameraFirst) {
+  EXPECT_EQ(ShownFor(0).chosen, "quad");
   EXPECT_EQ(ShownFor(1).chosen, "drive");
   EXPECT_EQ(ShownFor(2).chosen, "gripper");
   EXPECT_EQ(ShownFor(3).chosen, "mast");
@@ -32,8 +33,9 @@ TEST(OperatorPage, ShowsTheChosenCameraFirst) {
 
 TEST(OperatorPage, AsksForBothStreamsAndLinksEachCamera) {
   const std::string page = OperatorPage();
-  for (const auto* stream : {"/step.txt", "/chosen.mjpeg", "/beside.mjpeg", "/drive.mjpeg",
-                             "/mast.mjpeg", "/gripper.mjpeg", "/rear.mjpeg"}) {
+  for (const auto* stream :
+       {"/step.txt", "/chosen.mjpeg", "/beside.mjpeg", "/drive.mjpeg", "/mast.mjpeg",
+        "/gripper.mjpeg", "/rear.mjpeg", "/quad.mjpeg", "/beside.txt"}) {
     EXPECT_NE(page.find(stream), std::string::npos) << stream;
   }
 }
