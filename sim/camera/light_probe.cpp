@@ -117,8 +117,9 @@ Vector3f LightProbe::LampsAt(const Vector3d& p_M, const Vector3f* n_M) {
     if (share < 0.003F) continue;
     const Vector3d direction = distance > 1e-6 ? Vector3d(way / distance) : Vector3d::UnitZ();
     const float facing =
-        n_M == nullptr ? 0.6F
-                       : kTurned + (1 - kTurned) * std::max(n_M->dot(direction.cast<float>()), 0.0F);
+        n_M == nullptr
+            ? 0.6F
+            : kTurned + (1 - kTurned) * std::max(n_M->dot(direction.cast<float>()), 0.0F);
     caster_->Clear();
     caster_->Add(p_M, direction, std::max(distance - kLampSize, 0.0));
     caster_->Cast();

@@ -117,9 +117,10 @@ Lighting LightingOf(const Atmosphere& air, const Weather& weather) {
   constexpr double kPerMetre = std::numbers::ln10 / 1e4;  // of 1 dB/km
   Lighting light = Clear(air, weather.light);
   const bool is_hazy = weather.visibility > 0;
-  light.fog_density = is_hazy ? static_cast<float>(std::log(kContrast) / weather.visibility)
-                              : air.fog_density + static_cast<float>(1.076 * kPerMetre *
-                                                                     std::pow(weather.rain, 0.67));
+  light.fog_density =
+      is_hazy
+          ? static_cast<float>(std::log(kContrast) / weather.visibility)
+          : air.fog_density + static_cast<float>(1.076 * kPerMetre * std::pow(weather.rain, 0.67));
   light.sky.haze =
       is_hazy ? Share((kHidesNothing - weather.visibility) / (kHidesNothing - kHidesHills)) : 0;
   const float rain = 1 - static_cast<float>(std::exp(-weather.rain));

@@ -13,14 +13,14 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 using Eigen::Vector4d;
 
-constexpr double kBox = 14;              // [m] a side of the air that drops are drawn in
-constexpr double kMostDrops = 1500;      // in it, at a cloudburst of ...
-constexpr double kCloudburst = 50;       // [mm/h]
-constexpr double kExposure = 1.0 / 50;   // [s]
-constexpr double kWidth = 0.0045;        // [m] of a streak: a drop and the blur around it
-constexpr double kThinnest = 1.3;        // [px]
-constexpr double kNearest = 0.35;        // [m]
-constexpr float kClearest = 0.42F;       // opacity of a streak as wide as it is drawn
+constexpr double kBox = 14;                     // [m] a side of the air that drops are drawn in
+constexpr double kMostDrops = 1500;             // in it, at a cloudburst of ...
+constexpr double kCloudburst = 50;              // [mm/h]
+constexpr double kExposure = 1.0 / 50;          // [s]
+constexpr double kWidth = 0.0045;               // [m] of a streak: a drop and the blur around it
+constexpr double kThinnest = 1.3;               // [px]
+constexpr double kNearest = 0.35;               // [m]
+constexpr float kClearest = 0.42F;              // opacity of a streak as wide as it is drawn
 constexpr double kWindX = 0.10, kWindY = 0.06;  // of the speed of fall
 
 double FallSpeed(double rain) {
@@ -67,14 +67,17 @@ void AppendStreak(const Corner& low, const Corner& high, double width, const Vec
   };
   const auto corner = [&](const Corner& at, double side) {
     const Vector2d px = at.px + side * across;
-    return ColourVertex{{static_cast<float>(px.x() * 2 / scene.width),
-                         static_cast<float>(px.y() * 2 / scene.height),
-                         static_cast<float>(at.depth)},
-                        {to_byte(colour.x()), to_byte(colour.y()), to_byte(colour.z()),
-                         to_byte(alpha)}};
+    return ColourVertex{
+        {static_cast<float>(px.x() * 2 / scene.width),
+         static_cast<float>(px.y() * 2 / scene.height), static_cast<float>(at.depth)},
+        {to_byte(colour.x()), to_byte(colour.y()), to_byte(colour.z()), to_byte(alpha)}};
   };
-  for (const auto& [at, side] : {std::pair(&low, -1.0), {&low, 1.0}, {&high, 1.0}, {&low, -1.0},
-                                 {&high, 1.0}, {&high, -1.0}}) {
+  for (const auto& [at, side] : {std::pair(&low, -1.0),
+                                 {&low, 1.0},
+                                 {&high, 1.0},
+                                 {&low, -1.0},
+                                 {&high, 1.0},
+                                 {&high, -1.0}}) {
     triangles.push_back(corner(*at, side));
   }
 }
@@ -85,8 +88,8 @@ void AppendRain(const RainScene& scene, const View& view, const Lighting& lighti
                 std::span<const ShiningSpot> spots, LightProbe* probe,
                 std::vector<ColourVertex>& triangles) {
   if (scene.rain <= 0) return;
-  const auto count = static_cast<int>(
-      kMostDrops * std::sqrt(std::min(scene.rain, kCloudburst) / kCloudburst));
+  const auto count =
+      static_cast<int>(kMostDrops * std::sqrt(std::min(scene.rain, kCloudburst) / kCloudburst));
   const double speed = FallSpeed(scene.rain);
   const Vector3d velocity(kWindX * speed, kWindY * speed, -speed);
   std::vector<Vector3f> drops;
@@ -94,8 +97,8 @@ void AppendRain(const RainScene& scene, const View& view, const Lighting& lighti
     Vector3d place;
     for (int axis = 0; axis < 3; ++axis) {
       const double start = kBox * static_cast<double>(LatticeValue(i, axis, scene.seed));
-      place[axis] = view.p_ME[axis] +
-                    Wrapped(start + velocity[axis] * scene.time_s - view.p_ME[axis]);
+      place[axis] =
+          view.p_ME[axis] + Wrapped(start + velocity[axis] * scene.time_s - view.p_ME[axis]);
     }
     const Vector4d clip = view.clip * place.homogeneous();
     // A streak is short: what is well out of sight at its lower end is so at the other.

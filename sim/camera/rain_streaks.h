@@ -15,12 +15,12 @@ namespace eod::sim {
 
 /// A moment of rain before a camera.
 struct RainScene {
-  double rain = 0;       ///< [mm/h]
-  double time_s = 0;     ///< drops fall with it
-  uint32_t seed = 0;     ///< of where they are
-  int width = 640;       ///< of the picture [px]
-  int height = 480;      ///< [px]
-  double focal_px = 400; ///< [px] a radian in the middle of the picture
+  double rain = 0;        ///< [mm/h]
+  double time_s = 0;      ///< drops fall with it
+  uint32_t seed = 0;      ///< of where they are
+  int width = 640;        ///< of the picture [px]
+  int height = 480;       ///< [px]
+  double focal_px = 400;  ///< [px] a radian in the middle of the picture
 };
 
 /// Drops as streaks in the air around the camera, in the module's local frame: they fall as fast as

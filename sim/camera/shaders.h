@@ -8,7 +8,8 @@ namespace eod::sim {
 /// picture hold their square root.
 extern const std::string_view kSurfaceVertexShader;
 /// With GROUND defined: texture by position in the module, under slow variation, so that no tile
-/// is seen. SPOTS: number of spot lights; WET: strength of the sheen of what is wet; INFRARED: grey.
+/// is seen. SPOTS: number of spot lights; WET: strength of the sheen of what is wet; INFRARED:
+/// grey.
 extern const std::string_view kSurfaceFragmentShader;
 extern const std::string_view kShadowVertexShader;
 extern const std::string_view kShadowFragmentShader;

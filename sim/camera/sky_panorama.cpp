@@ -92,8 +92,7 @@ struct Painter {
     const Colour white = Mix(look.cloud_shade, look.cloud_lit, cloud.light);
     colour = Mix(colour, white, 0.9F * clear * cloud.cover * low);
     const float towards = std::max(direction.dot(look.to_light), 0.0F);
-    colour += clear * look.glow *
-              (std::pow(towards, 12.0F) + 2.2F * std::pow(towards, 160.0F));
+    colour += clear * look.glow * (std::pow(towards, 12.0F) + 2.2F * std::pow(towards, 160.0F));
     // Disc of three degrees: a camera's bloom makes it larger than it is.
     return Mix(colour, look.disc, clear * SmoothStep(0.99935F, 0.9997F, towards));
   }

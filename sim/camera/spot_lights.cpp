@@ -23,13 +23,12 @@ std::vector<ShiningSpot> ChooseSpots(const RobotModel& robot, const RobotLights&
     // A metre beside the camera counts as much as 60 degrees off its direction.
     const double merit =
         direction.dot(ahead) - 0.5 * (X_MS.translation() - X_MC.translation()).norm();
-    candidates.push_back(
-        {{.p_M = X_MS.translation().cast<float>(),
-          .direction = direction.cast<float>(),
-          .light = spec.light,
-          .bright_cosine = static_cast<float>(std::cos(spec.inner_angle)),
-          .dark_cosine = static_cast<float>(std::cos(spec.outer_angle))},
-         merit});
+    candidates.push_back({{.p_M = X_MS.translation().cast<float>(),
+                           .direction = direction.cast<float>(),
+                           .light = spec.light,
+                           .bright_cosine = static_cast<float>(std::cos(spec.inner_angle)),
+                           .dark_cosine = static_cast<float>(std::cos(spec.outer_angle))},
+                          merit});
   }
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.merit > b.merit; });

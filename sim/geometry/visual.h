@@ -15,8 +15,8 @@ struct Material {
   Eigen::Vector3f diffuse =
       Eigen::Vector3f::Constant(0.7F);  ///< linear 0..1, multiplies the texture
   std::string texture = "plain";
-  float texture_scale_m = 1.0F;  ///< size of one texture tile on the surface
-  float specular = 0.05F;        ///< 0..1
+  float texture_scale_m = 1.0F;                        ///< size of one texture tile on the surface
+  float specular = 0.05F;                              ///< 0..1
   Eigen::Vector3f emissive = Eigen::Vector3f::Zero();  ///< linear 0..1: light of its own
 };
 

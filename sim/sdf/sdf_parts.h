@@ -25,8 +25,9 @@ Eigen::Vector3f ToColour(const ignition::math::Color& colour);
 Eigen::Isometry3d Resolve(const sdf::SemanticPose& pose, const std::string& frame,
                           const sdf::ElementPtr& element, const std::filesystem::path& file);
 
-/// A light of the world keeps the pose that it is given in `relative_to`, one of a link has it in the
-/// link's frame. Throws "FILE:LINE: …" for an attenuation without light or range, or a spot whose cones are none.
+/// A light of the world keeps the pose that it is given in `relative_to`, one of a link has it in
+/// the link's frame. Throws "FILE:LINE: …" for an attenuation without light or range, or a spot
+/// whose cones are none.
 SdfLight ToLight(const sdf::Light& light, bool is_of_world, const std::filesystem::path& file);
 SdfLink ToLink(const sdf::Link& link, const std::filesystem::path& file);
 SdfModel ToModel(const sdf::Model& model, const std::filesystem::path& file);

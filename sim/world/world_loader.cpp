@@ -81,7 +81,8 @@ void AddLamp(const SdfLight& light, const std::filesystem::path& file, ModuleMod
   AllowElements(light.customs, {}, "light " + light.name);
   if (light.is_spot) {
     FailAt(file, light.line,
-           fmt::format("light {}: of the world, only directional and point are supported", light.name));
+           fmt::format("light {}: of the world, only directional and point are supported",
+                       light.name));
   }
   module.lamps.push_back(
       {.name = light.name, .p_M = light.X_FS.translation(), .light = light.light});
@@ -129,8 +130,9 @@ WorldModel LoadWorld(const std::filesystem::path& file) {
       return module.frame == one.relative_to;
     });
     if (owner != framed.end()) return owner->module;
-    FailAt(file, one.line,
-           fmt::format("{} {}: its <pose> needs relative_to=\"FRAME\" of a module", kind, one.name));
+    FailAt(
+        file, one.line,
+        fmt::format("{} {}: its <pose> needs relative_to=\"FRAME\" of a module", kind, one.name));
   };
   for (const SdfModel& model : sdf.models) AddModel(model, file, owner_of(model, "model"));
   for (const SdfLight& light : sdf.lights) AddLamp(light, file, owner_of(light, "light"));

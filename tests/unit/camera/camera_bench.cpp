@@ -13,6 +13,7 @@
 #include <sys/resource.h>
 
 #include "sim/camera/jpeg_encoder.h"
+#include "tests/unit/camera/conditions.h"
 #include "tests/unit/camera/offline_camera.h"
 
 namespace eod::sim {
@@ -100,7 +101,7 @@ void Run(const Options& options) {
   JpegEncoder encoder(options.width, options.height, 80);
   std::map<std::string, Measured> measured;
   const auto measure = [&](const SceneSnapshot& snapshot, const char* name, const char* what) {
-    Measured& one = measured[fmt::format("{}{}", name, what)];
+    Measured& one = measured[fmt::format("{} {}", name, what)];
     const Clock::time_point start = Clock::now();
     const auto& pixels = camera.Take(snapshot, name);
     const Clock::time_point rendered = Clock::now();
@@ -114,10 +115,21 @@ void Run(const Options& options) {
     SceneSnapshot snapshot = OnTheWay(robot, picture, options.pictures);
     // As the simulator does: both cameras show one moment, the first one renders its shadow.
     for (const char* name : {"drive", "mast"}) measure(snapshot, name, "");
+    for (const auto& [weather, lights] :
+         {std::pair{"dusk", ""}, std::pair{"day,rain=20", ""}, std::pair{"night", "drive"}}) {
+      snapshot.weather = ParseWeather(weather);
+      snapshot.lights = ParseLights(lights);
+      // What only a change of the light loads is not a picture's cost.
+      camera.Take(snapshot, "rear");
+      measure(snapshot, "drive", weather);
+    }
+    snapshot.weather = {};
+    snapshot.lights = {};
+    camera.Take(snapshot, "rear");
     AddPlume(snapshot);
-    for (const char* name : {"drive", "mast"}) measure(snapshot, name, " with plume");
+    for (const char* name : {"drive", "mast"}) measure(snapshot, name, "with plume");
     snapshot.effects = {.noise = 1, .seed = static_cast<uint32_t>(picture)};
-    measure(snapshot, "drive", " dead");
+    measure(snapshot, "drive", "dead");
   }
   for (auto& [name, one] : measured) {
     fmt::print("{}: render and readback [ms: best tenth, median, p99] {}\n", name,
