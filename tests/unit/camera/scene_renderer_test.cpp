@@ -227,7 +227,7 @@ TEST(TrainingGroundPictures, StayWithinTheTriangleAndDrawBudget) {
       for (const Vector3d& place : {Vector3d(0, 0, 0), Vector3d(0, -30, 0), Vector3d(-20, 15, 0)}) {
         snapshot.state.position = place;
         snapshot.state.attitude.heading = heading_deg * kDegree;
-        for (const char* camera : {"drive", "mast"}) {
+        for (const char* camera : {"drive", "mast", "gripper", "rear"}) {
           dut.Take(snapshot, camera);
           EXPECT_LE(dut.counters().triangles, 50000)
               << module.name << " " << camera << " at " << place.transpose();
