@@ -15,7 +15,7 @@ using std::chrono::milliseconds;
 
 // What a practised operator has in the fingers about this robot [E]; what it gets wrong, the next
 // look corrects.
-constexpr double kLatency = 0.025;                    // [s] from finger to motor
+constexpr double kLeastLatency = 0.025;               // [s] from finger to motor
 constexpr double kBraking = 1;                        // [m/s^2]
 constexpr double kTurnBraking = 90;                   // [deg/s^2]
 constexpr double kTurnRate = 30;                      // [deg/s]
@@ -36,15 +36,22 @@ constexpr double kTurnTolerance = 0.2;        // [deg]
 constexpr double kNearTolerance = 0.15;       // [deg] before the last part of an approach
 constexpr Duration kControlTime = milliseconds(60);  // until a speed control has its effect
 constexpr Duration kStandTime = milliseconds(120);
+constexpr Duration kLookTime = milliseconds(50);
+constexpr double kFineWay = 0.03;                         // [m] for a counted time, not by looking
+constexpr double kLeastTap = 0.025;                       // [s] a shorter one may be missed
+constexpr Duration kAwaitTime = std::chrono::seconds(1);  // nothing will come of it any more
 constexpr Duration kStuckTime = std::chrono::seconds(5);
 
 constexpr uint32_t kForward = 1u << 0, kReverse = 1u << 1, kLeft = 1u << 2, kRight = 1u << 3;
 
 /// Way that is still covered if the button is let go now, at `speed` toward the goal.
-double RunOut(double speed, double fastest, double braking) {
-  const double then = std::max(speed, std::min(speed + braking * kLatency, fastest));
-  return (speed + then) / 2 * kLatency + then * then / (2 * braking);
+double RunOut(double speed, double fastest, double braking, double latency) {
+  const double then = std::max(speed, std::min(speed + braking * latency, fastest));
+  const double rise = std::min(latency, (then - speed) / braking);
+  return (speed + then) / 2 * rise + then * (latency - rise) + then * then / (2 * braking);
 }
+
+Duration Seconds(double seconds) { return std::chrono::microseconds(std::llround(seconds * 1e6)); }
 
 double Degrees(double radians) { return radians * (180 / std::numbers::pi); }
 
@@ -56,6 +63,10 @@ void Steering::Begin(const Manoeuvre& manoeuvre, TimePoint now, const OperatorHa
   phase_ = Phase::kTurn;
   standoff_ = manoeuvre.kind == Manoeuvre::Kind::kApproach ? kStandoff : 0;
   held_ = 0;
+  latency_ = kLeastLatency;
+  awaits_motion_ = false;
+  tap_end_.reset();
+  correction_end_ = correction_seen_ = now;
   cruise_ = range_ = controls.speed_range;
   full_limit_ = limit_ = controls.speed_limit;
   control_moved_ = TimePoint{};
@@ -88,7 +99,9 @@ Steering::Gap Steering::Measure(const Sight& sight) const {
 
 Steering::Progress Steering::Advance(TimePoint now, const Sight& sight, OperatorHands& hands) {
   const Gap gap = Measure(sight);
+  LearnLatency(sight, now);
   if (IsStuck(sight, now)) return Progress::kStuck;
+  if (IsTapping(now, hands)) return Progress::kUnderWay;
   switch (phase_) {
     case Phase::kTurn:
       Turn(gap, sight, now, hands);
@@ -105,19 +118,26 @@ Steering::Progress Steering::Advance(TimePoint now, const Sight& sight, Operator
 
 /// On the spot: a turn, a look at what is left of it, and so on until it is right.
 void Steering::Turn(const Gap& gap, const Sight& sight, TimePoint now, OperatorHands& hands) {
+  const double left = std::abs(gap.heading_deg);
   if (held_ == 0) {
     if (!HasStood(sight, now)) return;
-    if (std::abs(gap.heading_deg) <= HeadingTolerance(gap)) {
+    if (left <= HeadingTolerance(gap)) {
       SetLimit(full_limit_, now, hands);
       phase_ = manoeuvre_.kind == Manoeuvre::Kind::kTurnTo ? Phase::kSettle : Phase::kGo;
       return;
     }
-    SetLimit(std::abs(gap.heading_deg) > kFineFrom ? full_limit_ : full_limit_ * kFineTurn, now,
-             hands);
+    SetLimit(left > kFineFrom ? full_limit_ : full_limit_ * kFineTurn, now, hands);
     if (now - control_moved_ < kControlTime) return;
   }
-  const int turn = Sideways(gap.heading_deg, 0, sight.turn_rate_dps);
-  Hold(turn > 0 ? kLeft : turn < 0 ? kRight : 0, now, hands);
+  const double fastest = kTurnRate * limit_;
+  const uint32_t turn = gap.heading_deg > 0 ? kLeft : kRight;
+  const double toward = turn == kLeft ? sight.turn_rate_dps : -sight.turn_rate_dps;
+  const bool is_short = left <= RunOut(std::max(0.0, toward), fastest, kTurnBraking, latency_);
+  if (held_ == 0 && (is_short || left <= kFineFrom)) {
+    Tap(turn, left / fastest, now, hands);
+  } else {
+    Hold(is_short || (held_ != 0 && held_ != turn) ? 0 : turn, now, hands);
+  }
 }
 
 double Steering::HeadingTolerance(const Gap& gap) const {
@@ -131,38 +151,48 @@ void Steering::Go(const Gap& gap, const Sight& sight, TimePoint now, OperatorHan
   if (gap.way < standoff_) standoff_ = 0;
   const double way = gap.way - standoff_;
   const double left = std::abs(way);
-  using dbc::SpeedRange;
-  const SpeedRange most = left > kLowFrom     ? SpeedRange::kHigh
-                          : left > kCreepFrom ? SpeedRange::kLow
-                                              : SpeedRange::kCreep;
-  SetRange(std::min(cruise_, most), now, hands);
-  const double sign = way > 0 ? 1 : -1;
+  ChooseRange(left, now, hands);
+  if (held_ == 0 && now - control_moved_ < kControlTime) return;
   const double fastest = kRangeSpeed[static_cast<size_t>(range_)] * limit_;
-  const bool is_there = left <= RunOut(std::max(0.0, sign * sight.speed_mps), fastest, kBraking);
+  const double toward = way > 0 ? sight.speed_mps : -sight.speed_mps;
+  const bool is_short = left <= RunOut(std::max(0.0, toward), fastest, kBraking, latency_);
   const uint32_t drive = way > 0 ? kForward : kReverse;
   const bool has_passed = (held_ & (kForward | kReverse) & ~drive) != 0;
-  if (is_there || has_passed || std::abs(gap.heading_deg) > kWrongWay) {
-    if (is_there) standoff_ = 0;
-    Hold(0, now, hands);
+  if (held_ == 0 && (is_short || left <= kFineWay)) {
+    standoff_ = 0;
     phase_ = Phase::kSettle;
-    return;
+    Tap(drive, left / fastest, now, hands);
+  } else if (is_short || has_passed || std::abs(gap.heading_deg) > kWrongWay) {
+    if (is_short) standoff_ = 0;
+    phase_ = Phase::kSettle;
+    Hold(0, now, hands);
+  } else {
+    Hold(drive | Correct(gap.heading_deg, now), now, hands);
   }
-  const int turn = Sideways(gap.heading_deg, kSteerFrom, sight.turn_rate_dps);
-  Hold(drive | (turn > 0 ? kLeft : turn < 0 ? kRight : 0), now, hands);
 }
 
-/// Which way to hold the turn buttons: 1 left, -1 right. A held one until the run-out will do.
-int Steering::Sideways(double heading_gap, double tolerance, double turn_rate) const {
-  const int held = (held_ & kLeft) != 0 ? 1 : (held_ & kRight) != 0 ? -1 : 0;
-  const double fastest = kTurnRate * limit_;
-  if (held != 0) {
-    const double speed = std::max(0.0, held * turn_rate);
-    return held * heading_gap > RunOut(speed, fastest, kTurnBraking) ? held : 0;
-  }
-  const double run_out = std::copysign(RunOut(std::abs(turn_rate), 0, kTurnBraking), turn_rate);
-  const double rest = heading_gap - (turn_rate == 0 ? 0 : run_out);
-  if (std::abs(rest) <= tolerance) return 0;
-  return rest > 0 ? 1 : -1;
+/// Slower toward the end, earlier by what is driven until that acts.
+void Steering::ChooseRange(double left, TimePoint now, OperatorHands& hands) {
+  using dbc::SpeedRange;
+  const auto until = [this, left](double way, SpeedRange range) {
+    return left > way + latency_ * kRangeSpeed[static_cast<size_t>(range)];
+  };
+  const SpeedRange most = until(kLowFrom, SpeedRange::kHigh)    ? SpeedRange::kHigh
+                          : until(kCreepFrom, SpeedRange::kLow) ? SpeedRange::kLow
+                                                                : SpeedRange::kCreep;
+  SetRange(std::min(cruise_, most), now, hands);
+}
+
+/// The turn button to hold on the way: a touch as long as the heading needs, then a look at what
+/// came of it.
+uint32_t Steering::Correct(double heading_gap, TimePoint now) {
+  if (now < correction_end_) return held_ & (kLeft | kRight);
+  if (now < correction_seen_ || std::abs(heading_gap) <= kSteerFrom) return 0;
+  const Duration length =
+      Seconds(std::max(std::abs(heading_gap) / (kTurnRate * limit_), kLeastTap));
+  correction_end_ = now + length;
+  correction_seen_ = correction_end_ + length + Seconds(latency_) + kLookTime;
+  return heading_gap > 0 ? kLeft : kRight;
 }
 
 /// Standing after the way: true if all is right, else what is left is gone over again.
@@ -181,8 +211,35 @@ void Steering::Hold(uint32_t motions, TimePoint now, OperatorHands& hands) {
   const uint32_t let_go = held_ & ~motions, pressed = motions & ~held_;
   if (let_go != 0) hands.Apply({.control = Control::kRelease, .motions = let_go}, now);
   if (pressed != 0) hands.Apply({.control = Control::kPress, .motions = pressed}, now);
-  if (motions != held_) moving_ = now;
+  if (held_ == 0 && motions != 0) {
+    pressed_ = now;
+    awaits_motion_ = true;
+  }
+  if (motions != held_) {
+    moving_ = now;
+    tap_end_.reset();
+  }
   held_ = motions;
+}
+
+/// Held for t, a motion covers its rate times t, run-out included, however late it begins.
+void Steering::Tap(uint32_t motions, double seconds, TimePoint now, OperatorHands& hands) {
+  Hold(motions, now, hands);
+  tap_end_ = now + Seconds(std::max(seconds, kLeastTap));
+}
+
+bool Steering::IsTapping(TimePoint now, OperatorHands& hands) {
+  if (tap_end_ && now >= *tap_end_) Hold(0, now, hands);
+  return tap_end_.has_value();
+}
+
+/// From pressing a button to the first motion that is seen.
+void Steering::LearnLatency(const Sight& sight, TimePoint now) {
+  if (!awaits_motion_) return;
+  const Duration waited = now - pressed_;
+  const bool moves = sight.speed_mps != 0 || sight.turn_rate_dps != 0;
+  if (moves) latency_ = std::max(ToSeconds(waited), kLeastLatency);
+  if (moves || waited > kAwaitTime) awaits_motion_ = false;
 }
 
 void Steering::SetRange(dbc::SpeedRange range, TimePoint now, OperatorHands& hands) {
@@ -207,7 +264,7 @@ void Steering::End(TimePoint now, OperatorHands& hands) {
 
 bool Steering::HasStood(const Sight& sight, TimePoint now) {
   if (held_ != 0 || sight.speed_mps != 0 || sight.turn_rate_dps != 0) moving_ = now;
-  return now - moving_ >= kStandTime;
+  return !awaits_motion_ && now - moving_ >= kStandTime;
 }
 
 bool Steering::IsStuck(const Sight& sight, TimePoint now) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "firmware_emu/manoeuvre.h"
@@ -14,9 +15,11 @@ namespace eod::box {
 /// and looks again.
 ///
 /// Turns toward the goal on the spot, drives at the speed that is set, corrects the heading on the
-/// way, and goes down to low and creep for the end. Standing, it goes over what is left: an
-/// approach until both ways are right to 4 mm, a drive to 3 cm along its heading, a turn to 0.2
-/// degrees. The speed controls are given back as they were.
+/// way, and goes down to low and creep for the end. Notices how late the robot follows, and lets go
+/// by so much earlier; what is short is done by holding a button for a counted time, which is right
+/// however late it acts. Standing, it goes over what is left: an approach until both ways are right
+/// to 4 mm, a drive to 3 cm along its heading, a turn to 0.2 degrees. The speed controls are given
+/// back as they were.
 class Steering {
  public:
   enum class Progress : uint8_t {
@@ -51,11 +54,15 @@ class Steering {
 
   Gap Measure(const Sight& sight) const;
   void Turn(const Gap& gap, const Sight& sight, TimePoint now, OperatorHands& hands);
+  void ChooseRange(double left, TimePoint now, OperatorHands& hands);
   void Go(const Gap& gap, const Sight& sight, TimePoint now, OperatorHands& hands);
   bool Settle(const Gap& gap);
   double HeadingTolerance(const Gap& gap) const;
-  int Sideways(double heading_gap, double tolerance, double turn_rate) const;
+  uint32_t Correct(double heading_gap, TimePoint now);
+  bool IsTapping(TimePoint now, OperatorHands& hands);
   void Hold(uint32_t motions, TimePoint now, OperatorHands& hands);
+  void Tap(uint32_t motions, double seconds, TimePoint now, OperatorHands& hands);
+  void LearnLatency(const Sight& sight, TimePoint now);
   void SetRange(dbc::SpeedRange range, TimePoint now, OperatorHands& hands);
   void SetLimit(double share, TimePoint now, OperatorHands& hands);
   bool HasStood(const Sight& sight, TimePoint now);
@@ -69,9 +76,15 @@ class Steering {
   dbc::SpeedRange range_ = dbc::SpeedRange::kLow;
   double full_limit_ = 1;
   double limit_ = 1;
-  TimePoint control_moved_{};  ///< a speed control: the robot hears of it a little later
-  TimePoint moving_{};         ///< last moment of motion or of a held button
-  TimePoint progress_{};       ///< last moment at which the robot got on
+  TimePoint control_moved_{};         ///< a speed control: the robot hears of it a little later
+  TimePoint moving_{};                ///< last moment of motion or of a held button
+  double latency_ = 0;                ///< [s] from finger to what is seen of it, as last observed
+  TimePoint pressed_{};               ///< when a button was pressed while the robot stood
+  bool awaits_motion_ = false;        ///< nothing has been seen of that yet
+  std::optional<TimePoint> tap_end_;  ///< a button is held for a counted time
+  TimePoint correction_end_{};        ///< the same of a touch on the way
+  TimePoint correction_seen_{};       ///< what came of it can be judged from then on
+  TimePoint progress_{};              ///< last moment at which the robot got on
   std::array<double, 3> progress_position_{};  ///< where it was then
   double progress_heading_ = 0;
 };

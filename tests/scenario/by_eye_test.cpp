@@ -125,6 +125,21 @@ INSTANTIATE_TEST_SUITE_P(Places, Approaching,
                          ::testing::Values(Place{1.2, 0}, Place{1.5, 0.1}, Place{1.3, -0.2},
                                            Place{8, 0.5}));
 
+TEST(ByEye, ALateLinkIsNoticedAndAllowedFor) {
+  sim::Scenario scenario = ShippedScenario("bomb_ground_m");
+  scenario.link.kind = sim::ControlLinkSpec::Kind::kRadio;
+  scenario.link.commands.delay = scenario.link.telemetry.delay = 0.2;
+  Mission dut(box::ParseScript(PowerUp("bomb") +
+                                   "turn to 40 within 30s\nturn to 39 within 30s\n"
+                                   "drive to 0 3 within 60s\napproach charge_m at 1.3 within 60s\n",
+                               "test.boxscript"),
+              scenario);
+  PlayScript(dut, 200s);
+  const Eigen::Vector3d to_charge =
+      CentreOf(dut, "charge_m") - dut.rig().simulator().last().state.position;
+  EXPECT_NEAR(to_charge.norm(), std::hypot(1.3, to_charge.z()), 0.005);
+}
+
 TEST(ByEye, GivesTheSpeedControlsBackAsTheyWere) {
   Mission dut = RunMission(
       PowerUp("bomb") + "speed high\nspeed_limit 90%\napproach charge_m at 1.5 within 90s\n",
