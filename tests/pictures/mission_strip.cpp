@@ -31,8 +31,8 @@ struct Options {
   std::string script;
   std::string output = "strip.png";
   std::vector<std::string> moments;
-  std::string states;  // file for the states of every step; none if empty
-  std::string report;  // folder for the score; none if empty
+  std::string states;   // file for the states of every step; none if empty
+  std::string report;   // folder for the score; none if empty
   std::string weather;  // as the scenario has it if empty
   int columns = 3;
 };
